@@ -15,9 +15,10 @@
 namespace carom {
 namespace {
 
-constexpr int kWide = 1200;       // px: a window that has room for the switches of the view
-constexpr int kWideName = 220;    // px, of the open experiment
-constexpr int kNarrowName = 150;  // px
+constexpr int kWide = 1200;     // px: a window that has room for the switches of the view
+constexpr int kWideName = 236;  // px, of the open experiment
+constexpr int kNarrowName = 126;
+constexpr int kNameFrom = 1000;  // px: a window that has room for a part of the name
 
 QToolButton* choice_button(const QString& text, const QString& tip) {
   auto* button = new QToolButton;
@@ -96,10 +97,12 @@ void LabWindow::fold_tool_bar() {
 void LabWindow::name_experiment() {
   constexpr int kRest = 62;  // px: icon, arrow and padding
   const QString title = QString::fromStdString(preset().title);
-  const int room = width() >= kWide ? kWideName : kNarrowName;
+  const int room = width() >= kWide ? kWideName : width() >= kNameFrom ? kNarrowName : kRest;
   list_button_->setFixedWidth(room);
   const QFontMetrics metrics = list_button_->fontMetrics();
-  list_button_->setText(metrics.elidedText(title, Qt::ElideRight, room - kRest) + QStringLiteral(" ▾"));
+  const QString shown =
+      room > kRest ? metrics.elidedText(title, Qt::ElideRight, room - kRest) + " " : QString();
+  list_button_->setText(shown + QStringLiteral("▾"));
   list_button_->setToolTip(plain_tip(tr("%1\nThe list of experiments (E)").arg(title)));
   list_button_->setAccessibleName(tr("Experiments: %1").arg(title));
 }

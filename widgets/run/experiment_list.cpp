@@ -137,7 +137,7 @@ ExperimentList::ExperimentList(const Theme& theme, QWidget* parent)
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 10, 1, 0);
+  column->setContentsMargins(1, 10, 1, 1);
   column->setSpacing(4);
   auto* field = new QVBoxLayout;
   field->setContentsMargins(10, 0, 10, 0);

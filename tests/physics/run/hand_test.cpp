@@ -193,7 +193,7 @@ TEST(HandOnABody, NeedsAnotherMethodThanExactFlight) {
 TEST(HandOnABody, LeavesTheContactsOfOthersAlone) {
   const std::vector<Body> bodies = {
       disc("A", {0.0, 3.0}, {0.0, 0.0}, 0.1, 1.0), disc("low", {2.0, 0.09}, {0.0, 0.0}, 0.1, 1.0),
-      disc("high", {2.0, 0.29}, {0.0, 0.0}, 0.1, 1.0), wall("floor", {0.0, 0.0}, 0.0)};
+      disc("high", {2.0, 0.29}, {0.0, 0.0}, 0.1, 1.0), wall("floor", {0.0, -0.5}, 10.0, 1.0)};
   Method method{.integrator = IntegratorId::kAdaptiveDormandPrince, .step = 0.01};
   const Hand hand = hand_on(bodies[0], bodies[0].position);
   Simulation still = held(bodies, hand, method, 0.0, {0.0, -9.81});

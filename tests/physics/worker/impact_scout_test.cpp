@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/run/run_setup.h"
+#include "physics/scene/edit.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
@@ -46,13 +47,13 @@ TEST(ImpactScout, KnowsOfAnImpactBeforeItComesAndForAWhileAfterIt) {
 }
 
 TEST(ImpactScout, FollowsAnEditOfTheRun) {
-  LiveRun run(head_on(), {}, ReferenceId::kNone);
+  RunSetup setup = head_on();
+  give_ids(setup.scene);
+  LiveRun run(setup, {}, ReferenceId::kNone);
   ImpactScout scout;
   while (run.time() < 0.47) run.step();
   EXPECT_TRUE(scout.near_impact(run, ImpactScout::Clock::now() + 10s));
-  Body moved = run.simulation().bodies()[1];
-  moved.position = {10.0, 0.0};
-  run.edit({.time = run.time(), .what = SceneEdits{Replace<Body>{moved}}});
+  run.edit({.time = run.time(), .what = SceneEdits{Remove<Body>{setup.scene.bodies[1].id}}});
   run.step();
   EXPECT_FALSE(scout.near_impact(run, ImpactScout::Clock::now() + 10s));
 }

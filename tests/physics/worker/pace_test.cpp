@@ -39,7 +39,7 @@ TEST(Pace, IsMuchSlowerFromAMomentOn) {
   pace.slow_down(true, 0.4, kBegin + 200ms);
   EXPECT_TRUE(pace.slow());
   EXPECT_DOUBLE_EQ(pace.due(kBegin + 1200ms), 0.5);
-  EXPECT_DOUBLE_EQ(seconds(pace.until(0.5, kBegin + 200ms)), 1.0);
+  EXPECT_NEAR(seconds(pace.until(0.5, kBegin + 200ms)), 1.0, 1e-8);
   pace.slow_down(true, 9.0, kBegin + 1200ms);
   EXPECT_DOUBLE_EQ(pace.due(kBegin + 1200ms), 0.5) << "it was so already";
   pace.slow_down(false, 0.5, kBegin + 1200ms);
