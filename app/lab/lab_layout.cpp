@@ -203,11 +203,11 @@ void LabWindow::connect_views() {
   connect(list_, &ExperimentList::previewRequested, this, &LabWindow::preview);
   connect(list_, &ExperimentList::closeRequested, this, &LabWindow::leave_preview);
   connect(list_, &ExperimentList::newRequested, this, [this] {
-    list_action_->setChecked(false);
+    leave_preview();
     new_document();
   });
   connect(list_, &ExperimentList::fileRequested, this, [this] {
-    list_action_->setChecked(false);
+    leave_preview();
     files_->choose();
   });
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);

@@ -30,6 +30,11 @@ void LabRuns::go_to(double time) {
 void LabRuns::go_to_start() { go_to(start_time(document_.preset.saved)); }
 
 void LabRuns::go_to_end() {
+  stepped_ = false;
+  leave_past();
+}
+
+void LabRuns::leave_past() {
   if (!std::exchange(playhead_, std::nullopt)) return;
   for (std::size_t i = 0; i < frames_.size(); ++i) frames_[i] = with_impacts(*frames_[i], i);
   show_speeds(frames_);
@@ -38,6 +43,7 @@ void LabRuns::go_to_end() {
 
 void LabRuns::go_to_impact(double time) {
   if (!has_record()) return;
+  stepped_ = false;
   const double just_before = 2.0 * kSameMoment * frames_.front()->method.step;
   seek({.time = time - just_before, .impact = time}, time);
 }
@@ -78,7 +84,7 @@ void LabRuns::step_from_impact(int steps) {
   PastMoment moment = playhead_->moment;
   moment.steps += steps;
   const double time = *moment.impact + static_cast<double>(moment.steps) * frames_.front()->method.step;
-  if (time >= frames_.front()->time) return go_to_end();
+  if (time >= frames_.front()->time) return leave_past();
   if (time <= start_time(document_.preset.saved)) return go_to_start();
   seek(moment, moment.steps == 0 ? moment.impact : std::nullopt);
 }
@@ -122,20 +128,35 @@ void LabRuns::play_past(bool playing) {
   pace_.begin(shown_time(), Pace::Clock::now());
 }
 
-// Of the first run.
-bool LabRuns::near_impact(double time) const {
-  const double from = time - kNearImpact;
-  const double to = time + kNearImpact;
+// What is due now at the present pace: no more than the moment from which on it plays slowly, near an impact of
+// the first run.
+double LabRuns::past_due(Pace::Clock::time_point now) {
+  constexpr double kLeast = 1e-6;  // s
+  const double due = pace_.due(now);
+  if (!slows_near_impacts_) {
+    pace_.slow_down(false, playhead_->passed, now);
+    return due;
+  }
+  const Frame& newest = *frames_.front();
+  const double passed = playhead_->passed;
+  const double from = std::max(passed - kNearImpact, start_time(document_.preset.saved));
+  const double to = std::min(std::max(passed, due) + kNearImpact, newest.time);
   std::vector<double> times;
   for (const ImpactRecord& impact : impacts_between(*recorders().front(), from, to))
     times.push_back(impact.time);
-  return stands_out(times, from, to, frames_.front()->method.step);
+  const KnownImpacts known{times, from, to, newest.method.step, newest.time};
+  const std::optional<double> free = free_until(known, passed, due, kLeast);
+  if (pace_.slow() == free.has_value()) {
+    pace_.slow_down(!free.has_value(), passed, now);
+    return passed;
+  }
+  if (free && *free < due) pace_.begin(*free, now);
+  return free.value_or(due);
 }
 
 void LabRuns::play_past_on() {
   const auto now = Pace::Clock::now();
-  pace_.slow_down(slows_near_impacts_ && near_impact(playhead_->passed), playhead_->passed, now);
-  const double due = pace_.due(now);
+  const double due = past_due(now);
   if (const MetStop* met = stop_until(due)) return show_stop(*met);
   playhead_->passed = due;
   if (due >= frames_.front()->time) {
@@ -156,7 +177,7 @@ void LabRuns::take_shown() {
   const Frame& first_shown = *shown.frames.front();
   const bool is_newest =
       first_shown.steps >= frames_.front()->steps && first_shown.time >= frames_.front()->time;
-  if (playhead_->there && !playhead_->plays && is_newest) return go_to_end();
+  if (playhead_->there && !playhead_->plays && is_newest) return leave_past();
   Frames frames;
   for (const auto& each : shown.frames) frames.push_back(with_impacts(*each, frames.size()));
   show_speeds(frames);

@@ -46,6 +46,7 @@ bool LabRuns::at_end() const {
 }
 
 void LabRuns::restart() {
+  stepped_ = false;
   forget_wait();
   show_start();
   playhead_.reset();
@@ -71,6 +72,7 @@ bool LabRuns::slow() const {
 }
 
 void LabRuns::run_until(double time) {
+  stepped_ = false;
   const auto wait_until = [this](const auto& fulfilled) {
     while (!fulfilled()) {
       worker_.wait_for_frames(std::chrono::milliseconds(100));
@@ -176,6 +178,7 @@ void LabRuns::take_news(const Frames& news) {
 // -----------------------------------------------------------------------------------------------------------
 
 void LabRuns::load(const std::vector<Curve>& curves) {
+  stepped_ = false;
   forget_wait();
   frames_.clear();
   playhead_.reset();
@@ -203,6 +206,7 @@ void LabRuns::await_begin() {
 }
 
 void LabRuns::begin() {
+  stepped_ = false;
   begins_ = true;
   replayed_.reset();
   will_begin_ = false;
@@ -299,6 +303,7 @@ void LabRuns::show_again(const Frames& frames, const std::shared_ptr<const Scene
 }
 
 void LabRuns::return_to(Worker::EditId edit) {
+  stepped_ = false;
   Left& left = left_.at(edit);
   left.returned = true;
   recorders_ = std::move(left.recorders);
@@ -325,6 +330,7 @@ std::shared_ptr<LabRuns::Entered> LabRuns::enter() const {
 }
 
 void LabRuns::take_back(Entered& run) {
+  stepped_ = false;
   forget_wait();
   run.kept = worker_.keep_taken_back();
   Left left{.frames = frames_, .scene = scene_, .playhead = playhead_, .returned = true};

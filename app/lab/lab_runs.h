@@ -35,7 +35,6 @@ class LabRuns : public QObject {
   [[nodiscard]] double speed() const { return speed_; }
   // Playing is much slower near the impacts of the first run.
   void slow_near_impacts(bool slow);
-  [[nodiscard]] bool slows_near_impacts() const { return slows_near_impacts_; }
   // Whether it plays so now.
   [[nodiscard]] bool slow() const;
   // Runs to `time` as fast as possible; returns when it is reached, or when a run is lost.
@@ -180,7 +179,8 @@ class LabRuns : public QObject {
   void step_from_impact(int steps);
   void play_past(bool playing);
   void play_past_on();
-  [[nodiscard]] bool near_impact(double time) const;  // s, of the record
+  [[nodiscard]] double past_due(Pace::Clock::time_point now);  // s
+  void leave_past();
   void take_shown();
   void follow_runs();
   // Where stops were met.

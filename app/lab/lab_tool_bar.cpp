@@ -102,7 +102,7 @@ void LabWindow::name_experiment() {
   const QFontMetrics metrics = list_button_->fontMetrics();
   const QString shown =
       room > kRest ? metrics.elidedText(title, Qt::ElideRight, room - kRest) + " " : QString();
-  list_button_->setText(shown + QStringLiteral("▾"));
+  list_button_->setText(QString(shown).replace("&", "&&") + QStringLiteral("▾"));
   list_button_->setToolTip(plain_tip(tr("%1\nThe list of experiments (E)").arg(title)));
   list_button_->setAccessibleName(tr("Experiments: %1").arg(title));
 }

@@ -134,7 +134,7 @@ void SceneChips::show_time(const LabRuns& runs) {
         frame->playing && frame->realised_speed > 0.0 && frame->realised_speed < 0.85 * runs.speed();
     if (runs.slow()) {
       speed += tr(", slow near an impact");
-    } else if (lags && !runs.slows_near_impacts()) {
+    } else if (lags) {
       speed += tr(", runs at ×%1").arg(frame->realised_speed, 0, 'g', 2);
     }
   } else {

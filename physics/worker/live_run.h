@@ -37,6 +37,7 @@ class LiveRun {
   void record(const std::vector<Curve>& curves, ReferenceId reference);
   // From now on the requests to interrupt its steps come from here.
   void interrupt_on(const std::stop_token& interrupt);
+  [[nodiscard]] const std::stop_token& interrupt() const { return interrupt_; }
   // Looks for these stops from the run's start on; nullptr: for none.
   void watch(const StopRecord::Stops& stops);
   // The first stop that was met in the last step.

@@ -421,6 +421,7 @@ void Worker::work(const std::stop_token& stop, const Preset& first, const std::v
         advance(stop, work);
       }
     } catch (const StepInterrupted&) {
+      work.scout.forget();
       work.interrupt();  // a load, a restart or the end comes next
     } catch (const std::bad_alloc&) {
       fails("stopped: there is not enough memory to go on; restart, or open a smaller scene");
@@ -476,6 +477,24 @@ void Worker::advance_past(Work& work) {
   published_.notify_all();
 }
 
+// What is due now, if that is `due` at the present pace: no more than the moment from which on it plays slowly.
+double Worker::slower_near_impacts(Work& work, double due, std::chrono::steady_clock::time_point now) {
+  const LiveRun& run = work.runs.first();
+  const double time = run.time();
+  const auto known = work.slows_near_impacts ? work.scout.look(run, due, now + kFramePeriod / 2) : std::nullopt;
+  const std::optional<double> free =
+      known ? free_until(*known, time, due, run.simulation().method().step) : due;
+  const bool slow = !free.has_value();
+  if (slow != work.pace.slow()) {
+    work.pace.slow_down(slow, time, now);
+    work.begin_measurement();
+    return time;
+  }
+  if (slow) return due;
+  if (*free < due) work.pace.begin(*free, now);
+  return *free;
+}
+
 // One frame's work: recording what is recorded late, a replay, runs that lag, or playing.
 void Worker::advance(const std::stop_token& stop, Work& work) {
   RunGroup& runs = work.runs;
@@ -504,10 +523,7 @@ void Worker::advance(const std::stop_token& stop, Work& work) {
     advance_to(runs.first().time());  // those that lag
     return;
   }
-  const bool slow = work.slows_near_impacts && !work.full_speed &&
-                    work.scout.near_impact(runs.first(), now + kFramePeriod / 2);
-  work.pace.slow_down(slow, runs.first().time(), now);
-  const double due = work.full_speed ? work.end : work.pace.due(now);
+  const double due = work.full_speed ? work.end : slower_near_impacts(work, work.pace.due(now), now);
   const double target = std::min(work.end, due);
   const bool there = advance_to(target);
   if (work.halt) return;

@@ -135,6 +135,8 @@ class Worker {
             std::stop_token interrupt);
   void wait_for_work(const std::stop_token& stop, const Work& work, std::vector<Command>& commands);
   static void advance(const std::stop_token& stop, Work& work);
+  [[nodiscard]] static double slower_near_impacts(Work& work, double due,
+                                                  std::chrono::steady_clock::time_point now);
   void advance_past(Work& work);
   [[nodiscard]] static bool is_worth_a_frame(const Work& work);
   static void carry_out(Work& work, std::vector<Command>& commands);

@@ -1,10 +1,12 @@
 #include "widgets/base/kept_table.h"
 
 #include <QHeaderView>
+#include <QMouseEvent>
 #include <QPaintEvent>
 #include <QPainter>
 #include <QScrollBar>
 #include <algorithm>
+#include <utility>
 
 namespace carom {
 
@@ -25,9 +27,23 @@ class KeptHeader : public QHeaderView {
     painter.fillRect(place, palette().brush(QPalette::Base));
     paintSection(&painter, place, 0);
   }
+  // What is seen there is pressed, not what has been scrolled below it.
+  void mousePressEvent(QMouseEvent* event) override {
+    on_kept_ = event->position().x() < table_->covered_left();
+    if (!on_kept_) return QHeaderView::mousePressEvent(event);
+    if (event->button() == Qt::LeftButton) emit sectionPressed(0);
+  }
+  void mouseMoveEvent(QMouseEvent* event) override {
+    if (!on_kept_) QHeaderView::mouseMoveEvent(event);
+  }
+  void mouseReleaseEvent(QMouseEvent* event) override {
+    if (!std::exchange(on_kept_, false)) return QHeaderView::mouseReleaseEvent(event);
+    if (event->button() == Qt::LeftButton) emit sectionClicked(0);
+  }
 
  private:
   KeptTable* table_;
+  bool on_kept_ = false;  // the button is down
 };
 
 KeptTable::KeptTable(QWidget* parent) : QTableView(parent) { setHorizontalHeader(new KeptHeader(this)); }
@@ -54,7 +70,19 @@ int KeptTable::kept_top() const {
   return viewport()->height() - (rows - first_kept()) * verticalHeader()->defaultSectionSize();
 }
 
+void KeptTable::mousePressEvent(QMouseEvent* event) {
+  marks_rest_ = event->position().y() < kept_top();
+  QTableView::mousePressEvent(event);
+}
+
+void KeptTable::mouseReleaseEvent(QMouseEvent* event) {
+  QTableView::mouseReleaseEvent(event);
+  marks_rest_ = false;
+}
+
 QModelIndex KeptTable::indexAt(const QPoint& at) const {
+  // What is marked from above the kept rows on ends above them, as the rest scrolls there.
+  if (marks_rest_ && at.y() >= kept_top()) return indexAt({at.x(), kept_top() - 1});
   const QModelIndex below = QTableView::indexAt(at);
   if (model() == nullptr) return below;
   int row = below.isValid() ? below.row() : rowAt(at.y());

@@ -21,6 +21,8 @@ class KeptTable : public QTableView {
   [[nodiscard]] virtual int wanted_rows() const = 0;  // of the last ones
 
   void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void scrollContentsBy(int dx, int dy) override;
   void selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) override;
 
@@ -32,6 +34,8 @@ class KeptTable : public QTableView {
   [[nodiscard]] int first_kept() const;
   [[nodiscard]] int kept_top() const;
   void paint_cell(QPainter& painter, const QModelIndex& index) const;
+
+  bool marks_rest_ = false;  // the button is down, and went down above the kept rows
 };
 
 }  // namespace carom

@@ -113,9 +113,11 @@ QString QuantityField::early_fault(const QString& text) const {
   const FormulaNames names = formula_names_.empty() ? FormulaNames{} : formula_names_.front();
   const std::optional<ValueChange> change = typed_quantity(text, range_.unit, names).change;
   if (!change) return {};
-  const double value = change->of(values_.front());
-  const bool may_end_well = value <= range_.high && value >= std::min(range_.low, 0.0);
-  return may_end_well ? QString() : range_sentence(name_, value, range_);
+  for (const double old : values_) {
+    const double value = change->of(old);
+    if (value > range_.high || value < std::min(range_.low, 0.0)) return range_sentence(name_, value, range_);
+  }
+  return {};
 }
 
 QString QuantityField::value_of(const QString& text) const {

@@ -36,7 +36,7 @@ class TypedField : public QLineEdit {
  protected:
   // Takes the text, which differs from the one shown last, or returns one sentence on why it can't.
   virtual QString take(const QString& text) = 0;
-  // What more text can't mend, in one sentence; empty: nothing so far.
+  // What is wrong already and no further digit mends, in one sentence; empty: nothing so far.
   [[nodiscard]] virtual QString early_fault(const QString& /*text*/) const { return {}; }
   // The value of the text, where that is worth being shown.
   [[nodiscard]] virtual QString value_of(const QString& /*text*/) const { return {}; }

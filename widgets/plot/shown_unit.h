@@ -6,7 +6,7 @@
 
 namespace carom {
 
-// The unit in which a plot and its tables show values; curves, notes, marks and files keep SI.
+// The unit in which a plot and its tables show values; curves, notes, marks and the data of runs keep SI.
 struct ShownUnit {
   QString name{};   // empty: dimensionless
   double si = 1.0;  // SI units in one

@@ -243,6 +243,12 @@ bool ExperimentList::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
+void ExperimentList::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Escape) return QFrame::keyPressEvent(event);
+  rest_.stop();
+  emit closeRequested();
+}
+
 // Captions of topics are no experiments.
 void ExperimentList::choose_next(int way) {
   int row = list_->currentRow();

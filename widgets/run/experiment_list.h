@@ -50,6 +50,7 @@ class ExperimentList : public QFrame {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void choose_next(int way);  // 1: downwards, -1: upwards

@@ -266,7 +266,7 @@ WorldRect bounds_of_bodies(const Frame& frame, const auto& counts) {
 
 WorldRect bounds(const Frame& frame, const std::vector<std::string>& names) {
   return bounds_of_bodies(frame, [&names](const Body& body) {
-    return std::find(names.begin(), names.end(), body.name) != names.end();
+    return !is_half_plane(body.shape) && std::find(names.begin(), names.end(), body.name) != names.end();
   });
 }
 

@@ -208,7 +208,7 @@ bool add_arrow(const DrawingInput& input, const WorldRect& seen, const NewArrow&
 
 // Bounds of all bodies of the frame and of the anchors of springs and joints.
 [[nodiscard]] WorldRect bounds(const Frame& frame);
-// Of the bodies of these names alone.
+// Of the bodies of these names alone, but for half-planes.
 [[nodiscard]] WorldRect bounds(const Frame& frame, const std::vector<std::string>& names);
 
 }  // namespace carom

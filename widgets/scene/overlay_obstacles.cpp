@@ -5,7 +5,8 @@
 namespace carom {
 namespace {
 
-constexpr double kSignReach = 11.0;  // px, of the sign of an overlap from its middle
+constexpr std::size_t kMostStoodClearOf = 60;  // handles or ghosts: more leave no room anyway
+constexpr double kSignReach = 11.0;            // px, of the sign of an overlap from its middle
 
 void add_aim(const Aim& aim, const Camera& camera, Obstacles& out) {
   for (const std::vector<Vec2>& path : aim.paths) {
@@ -26,6 +27,7 @@ Obstacles obstacles_of(const Overlay& overlay, const Camera& camera) {
     const Vec2 tip = body.position + overlay.arrow_seconds * body.velocity;
     if (tip != body.position) out.lines.emplace_back(camera.to_screen(body.position), camera.to_screen(tip));
   };
+  if (overlay.ghosts.size() > kMostStoodClearOf) return out;
   add_handles(overlay.handles, out);
   bool arrows = false;
   for (const Handle& handle : overlay.grips) arrows |= handle.kind == HandleKind::kVelocity;
@@ -48,7 +50,7 @@ Obstacles obstacles_of(const Overlay& overlay, const Camera& camera) {
 
 Obstacles obstacles_of_names(const Overlay& overlay, const Camera& camera) {
   Obstacles out;
-  add_handles(overlay.grips, out);
+  if (overlay.grips.size() <= kMostStoodClearOf) add_handles(overlay.grips, out);
   for (const Vec2& at : overlay.signs) {
     const QPointF half(kSignReach, kSignReach);
     out.rects.emplace_back(camera.to_screen(at) - half, camera.to_screen(at) + half);

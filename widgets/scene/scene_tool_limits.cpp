@@ -37,7 +37,14 @@ std::vector<Overlap> SceneTools::overlaps_of_new(const Body& body) const {
   const SceneSight sight = sight_();
   if (!sight.frame) return {};
   Surroundings beside;
-  for (int i = 0; i < body_count(*sight.frame); ++i) beside.bodies.push_back(body_now(*sight.frame, i));
+  const Vec2 half = half_extent(body.shape, body.angle);
+  const carom::State& state = sight.frame->state;
+  for (int i = 0; i < body_count(*sight.frame); ++i) {
+    const Vec2 apart = (state.position(i) - body.position).cwiseAbs();
+    const Shape& other = (*sight.frame->bodies)[static_cast<std::size_t>(i)].shape;
+    if ((apart.array() > (half + half_extent(other, state.q(2, i))).array()).any()) continue;
+    beside.bodies.push_back(body_now(*sight.frame, i));
+  }
   return overlaps_of({&body, 1}, beside);
 }
 
@@ -46,7 +53,7 @@ void SceneTools::show_overlaps_of_new(const Body& body, Overlay& out) const {
   out.overlaps = overlaps_of_new(body);
   if (out.overlaps.empty() || out.bubble.fault || out.bubble.value.isEmpty()) return;
   out.bubble.value = overlap_text(out.overlaps[0], point({}));
-  out.bubble.detail = tr("Let go: it stays so, and play parts them.");
+  out.bubble.detail = tr("It may stay so: play parts them.");
   out.bubble.fault = true;
 }
 

@@ -194,13 +194,13 @@ void SceneView::fit() {
 void SceneView::show_selected() {
   WorldRect rect = frame_ ? bounds(*frame_, selection()) : WorldRect{};
   if (rect.empty()) return;
+  constexpr double kLeastShare = 0.05;  // of the view, for what is very small
   const Vec2 centre = 0.5 * (rect.lower + rect.upper);
-  rect.include(centre, rect.upper - rect.lower);
+  rect.include(centre, (rect.upper - rect.lower).cwiseMax(kLeastShare * home_side_));
   Camera camera = picture_.camera;
   camera.fit(rect, fit_margins());
-  zoom(QRectF(this->rect()).center(), camera.scale / picture_.camera.scale);
   picture_.camera.center = camera.center;
-  refresh();
+  zoom(QRectF(this->rect()).center(), camera.scale / picture_.camera.scale);
 }
 
 void SceneView::zoom_in() { zoom(QRectF(rect()).center(), kKeyFactor); }

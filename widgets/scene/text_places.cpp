@@ -82,6 +82,7 @@ QFont font_of(const Drawing::JumpText& text, const Drawing& drawing, const QFont
 
 std::vector<QRectF> jump_places(const Drawing& drawing, const Camera& camera, const QFont& font,
                                 Obstacles obstacles) {
+  if (drawing.jump.texts.empty()) return {};
   add_bodies(drawing, camera, obstacles);
   for (const Drawing::JumpArrow& arrow : drawing.jump.arrows)
     obstacles.lines.emplace_back(camera.to_screen(arrow.from), camera.to_screen(arrow.to));

@@ -179,6 +179,22 @@ TEST_F(LabPlayheadTest, NearAnImpactItPlaysSlower) {
   EXPECT_NEAR(time(), 0.39, 0.05);
 }
 
+// A picture at 20 times the speed is 0.16 s or more after the one before.
+TEST_F(LabPlayheadTest, NearAnImpactItPlaysSlowerHoweverFastBefore) {
+  action("Slow near impacts")->trigger();
+  choose_speed(20.0);
+  runs().go_to_start();
+  ASSERT_TRUE(wait_there());
+  runs().set_playing(true);
+  ASSERT_TRUE(wait_for([this] { return runs().slow(); }));
+  EXPECT_LT(time(), 0.32);
+  runs().set_playing(false);
+  window_.session().starts().restart();
+  runs().set_playing(true);
+  ASSERT_TRUE(wait_for([this] { return runs().slow(); }));
+  EXPECT_LT(time(), 0.32);
+}
+
 TEST_F(LabPlayheadTest, AClickOnATickGoesToTheImpact) {
   const QPoint at(qRound(timeline()->x_of(1.0 / 3.0)) + 2, timeline()->height() / 2);
   QTest::mouseClick(timeline(), Qt::LeftButton, {}, at);

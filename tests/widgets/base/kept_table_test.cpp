@@ -93,6 +93,30 @@ TEST_F(KeptTableTest, ACellComesOutFromBelowWhatIsKept) {
   EXPECT_EQ(table.verticalScrollBar()->value(), 50);
 }
 
+TEST_F(KeptTableTest, AClickOnTheKeptHeadingIsOneOnIt) {
+  table.setSelectionBehavior(QAbstractItemView::SelectItems);
+  table.setSelectionMode(QAbstractItemView::ExtendedSelection);
+  scroll(60, 0);
+  QHeaderView* head = table.horizontalHeader();
+  QTest::mouseClick(head->viewport(), Qt::LeftButton, {}, QPoint(20, head->height() / 2));
+  EXPECT_TRUE(table.selectionModel()->isColumnSelected(0));
+  EXPECT_FALSE(table.selectionModel()->isColumnSelected(1));
+}
+
+TEST_F(KeptTableTest, WhatIsMarkedEndsAboveTheKeptRows) {
+  table.setSelectionBehavior(QAbstractItemView::SelectItems);
+  table.setSelectionMode(QAbstractItemView::ExtendedSelection);
+  const QPoint from = place(1, 1).center();
+  const QPoint to = place(kBodies, 1).center();
+  QTest::mousePress(table.viewport(), Qt::LeftButton, {}, from);
+  QMouseEvent move(QEvent::MouseMove, to, table.viewport()->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(table.viewport(), &move);
+  QTest::mouseRelease(table.viewport(), Qt::LeftButton, {}, to);
+  EXPECT_TRUE(table.selectionModel()->isSelected(rows->index(2, 1)));
+  EXPECT_FALSE(table.selectionModel()->isSelected(rows->index(kBodies, 1)));
+  EXPECT_FALSE(table.selectionModel()->isSelected(rows->index(kBodies - 2, 1)));
+}
+
 TEST_F(KeptTableTest, AFewRowsHaveTheirOwnPlaces) {
   rows->fill(2);
   EXPECT_EQ(place(2, 0).top(), 2 * place(0, 0).height());

@@ -49,6 +49,7 @@ TEST_F(BubbleTest, StandsClearOfTheGhost) {
   EXPECT_FALSE(view_.bubble().value.isEmpty());
   EXPECT_EQ(view_.bubble().clear_of.rects.size(), 0U) << "the drag hides the handles";
   EXPECT_GT(view_.bubble().clear_of.areas.size(), 0U) << "the ghost";
+  EXPECT_EQ(view_.bubble().clear_of.covered_by(rect()), 0);
 }
 
 TEST_F(BubbleTest, StandsWithinTheScene) {

@@ -71,6 +71,13 @@ TEST_F(SceneViewTest, ZoomsToTheSelection) {
   const double diameter = 2.0 * bounding_radius(body.shape) * view_.camera().scale;
   EXPECT_GT(diameter, 100.0);
   EXPECT_LT(diameter, 250.0) << "there is room around it";
+  Preset preset = two_discs();
+  preset.scene.bodies[0].shape = Wall{};
+  view_.set_frame(frame_of(Simulation(setup_of(preset))));
+  view_.select({preset.scene.bodies[0].name});
+  const double before = view_.camera().scale;
+  view_.show_selected();
+  EXPECT_EQ(view_.camera().scale, before) << "a half-plane has no end";
 }
 
 TEST_F(SceneViewTest, ArrowsAreThoseOfTheSceneNotOfTheOneBefore) {
