@@ -1,6 +1,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include "app/lab/drawer.h"
 #include "app/lab/floating_panel.h"
 #include "app/lab/lab_window.h"
+#include "app/lab/method_bar.h"
 #include "app/lab/notice_bar.h"
 #include "app/lab/panel_docks.h"
 #include "app/lab/scrolled.h"
@@ -106,8 +108,9 @@ void LabWindow::open_list(bool open) {
 }
 
 void LabWindow::resizeEvent(QResizeEvent* event) {
-  fold_tool_bar();
   QMainWindow::resizeEvent(event);
+  // Once the tool bar has its new width.
+  QTimer::singleShot(0, this, [this] { methods_->show_document(preset()); });
   place_list();
   // A small window has room for the inspector or the plots, but not for both.
   docks_->set_tabbed(width() < kStackedFrom.width() || height() < kStackedFrom.height());

@@ -1,10 +1,10 @@
 #include <QAction>
 #include <QMenu>
-#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 #include "app/lab/lab_window.h"
 #include "app/lab/method_bar.h"
@@ -16,9 +16,9 @@ namespace carom {
 namespace {
 
 constexpr int kWide = 1200;     // px: a window that has room for the switches of the view
-constexpr int kWideName = 236;  // px, of the open experiment
-constexpr int kNarrowName = 126;
-constexpr int kNameFrom = 1000;  // px: a window that has room for a part of the name
+constexpr int kWideName = 236;  // px, of the button with the name of the open experiment
+constexpr int kLeastName = 62;  // px, of its icon and arrow alone
+constexpr int kLeastPart = 30;  // px: less of the name says nothing
 
 QToolButton* choice_button(const QString& text, const QString& tip) {
   auto* button = new QToolButton;
@@ -56,19 +56,27 @@ void LabWindow::make_tool_bar() {
   connect(list_action_, &QAction::toggled, list_button_, &QToolButton::setChecked);
   name_in_bar_ = bar->addWidget(list_button_);
   bar->addSeparator();
-  add({"new", "open", "save"});
-  bar->addSeparator();
+  const auto add_group = [&](std::initializer_list<const char*> icons) {
+    const qsizetype before = bar->actions().size();
+    add(icons);
+    const QList<QAction*> added = bar->actions().mid(before);
+    return FoldedGroup{.actions = {added.begin(), added.end()}};
+  };
+  files_in_bar_ = add_group({"new", "open", "save"});
+  files_in_bar_.before = bar->addSeparator();
   add({"undo", "redo"});
   bar->addSeparator();
-  const qsizetype before = bar->actions().size();
-  add({"fit", "grid", "velocity", "contact", "names"});
-  for (QAction* action : bar->actions().mid(before)) folded_.push_back(action);
-  auto* switches = new QMenu(this);
-  switches->addActions({folded_.begin(), folded_.end()});
-  more_ = bar->addWidget(menu_button(QStringLiteral("…"), tr("Switches of the scene"), switches));
+  switches_ = add_group({"fit", "grid", "velocity", "contact", "names"});
+  auto* menu = new QMenu(this);
+  menu->addActions({switches_.actions.begin(), switches_.actions.end()});
+  menu->addSeparator();
+  menu->addActions({files_in_bar_.actions.begin(), files_in_bar_.actions.end()});
+  more_ = switches_.before = bar->addWidget(menu_button(QStringLiteral("…"), tr("More buttons"), menu));
   more_->setVisible(false);
   bar->addSeparator();
   methods_->add_to(bar);
+  connect(methods_, &MethodBar::roomFreed, this, &LabWindow::unfold_tool_bar);
+  connect(methods_, &MethodBar::roomMissing, this, &LabWindow::fold_tool_bar);
   auto* stretch = new QWidget;
   stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(stretch);
@@ -81,28 +89,45 @@ void LabWindow::make_tool_bar() {
   setContextMenuPolicy(Qt::NoContextMenu);
 }
 
-// In a narrow window the switches of the view are behind one button.
-void LabWindow::fold_tool_bar() {
-  const bool wide = width() >= kWide;
-  if (more_->isVisible() == wide) {
-    more_->setVisible(!wide);
-    for (QAction* action : folded_) wide ? bar_->insertAction(more_, action) : bar_->removeAction(action);
-  }
+void LabWindow::fold(FoldedGroup& group, bool folds) {
+  if (std::exchange(group.folded, folds) == folds) return;
+  for (QAction* action : group.actions)
+    folds ? bar_->removeAction(action) : bar_->insertAction(group.before, action);
+  if (group.before->isSeparator()) group.before->setVisible(!folds);
+  more_->setVisible(switches_.folded || files_in_bar_.folded);
+}
+
+// All that the width of the window is meant for; in a narrow one the switches of the view are behind a button.
+void LabWindow::unfold_tool_bar() {
+  fold(files_in_bar_, false);
+  fold(switches_, width() < kWide);
+  name_room_ = kWideName;
   name_experiment();
-  // The names of the methods get the room that there is now.
-  QTimer::singleShot(0, this, [this] { methods_->show_document(preset()); });
+}
+
+// First the name gives way, then the switches do, then the files.
+void LabWindow::fold_tool_bar(int missing) {
+  name_room_ = std::max(kWideName - missing, kLeastName);
+  name_experiment();
+  for (FoldedGroup* group : {&switches_, &files_in_bar_}) {
+    if (bar_->sizeHint().width() > bar_->width()) fold(*group, true);
+  }
+  // The name takes what they left over.
+  if (const int spare = bar_->width() - bar_->sizeHint().width(); spare > 0) {
+    name_room_ = std::min(name_room_ + spare, kWideName);
+    name_experiment();
+  }
 }
 
 // The open one, on the button of their list.
 void LabWindow::name_experiment() {
-  constexpr int kRest = 62;  // px: icon, arrow and padding
   const QString title = QString::fromStdString(preset().title);
-  const int room = width() >= kWide ? kWideName : width() >= kNameFrom ? kNarrowName : kRest;
-  list_button_->setFixedWidth(room);
+  list_button_->setFixedWidth(name_room_);
   const QFontMetrics metrics = list_button_->fontMetrics();
+  const int room = name_room_ - kLeastName;
   const QString shown =
-      room > kRest ? metrics.elidedText(title, Qt::ElideRight, room - kRest) + " " : QString();
-  list_button_->setText(QString(shown).replace("&", "&&") + QStringLiteral("▾"));
+      room > kLeastPart ? metrics.elidedText(title, Qt::ElideRight, room).replace("&", "&&") + " " : QString();
+  list_button_->setText(shown + QStringLiteral("▾"));
   list_button_->setToolTip(plain_tip(tr("%1\nThe list of experiments (E)").arg(title)));
   list_button_->setAccessibleName(tr("Experiments: %1").arg(title));
 }

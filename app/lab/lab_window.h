@@ -155,7 +155,15 @@ class LabWindow : public QMainWindow {
   void make_start_chip_menu();
   void make_help_menu();
   void make_tool_bar();
-  void fold_tool_bar();
+  // Buttons of the tool bar that a narrow one has in a menu.
+  struct FoldedGroup {
+    std::vector<QAction*> actions{};
+    QAction* before = nullptr;  // which they stand
+    bool folded = false;
+  };
+  void fold(FoldedGroup& group, bool folds);
+  void unfold_tool_bar();
+  void fold_tool_bar(int missing);
   void name_experiment();
 
   void connect_session();
@@ -224,8 +232,10 @@ class LabWindow : public QMainWindow {
   bool plays_after_scrub_ = false;
   ToolColumn* tool_column_ = nullptr;
   QToolBar* bar_ = nullptr;
-  std::vector<QAction*> folded_;  // the tool bar's actions that only a wide window has room for
-  QAction* more_ = nullptr;       // their menu, in a narrow one
+  FoldedGroup switches_;
+  FoldedGroup files_in_bar_;
+  QAction* more_ = nullptr;                                 // the menu of those that are folded
+  int name_room_ = 0;                                       // px, of the name of the experiment
   std::vector<std::pair<QAction*, QString>> icon_actions_;  // with the icon's name, redrawn with the theme
 };
 

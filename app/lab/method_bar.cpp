@@ -151,9 +151,11 @@ void MethodBar::show_names() {
 
   // In a narrow window short names replace labels, and the integrator's is elided.
   const auto missing = [this] { return bar_->sizeHint().width() - bar_->width(); };
+  emit roomFreed();
   if (missing() <= 0) return;
   name(impacts_, impacts.name);
   name(contacts_, contacts.name);
+  if (const int more = missing(); more > 0) emit roomMissing(more);
   if (const int more = missing(); more > 0) {
     const QFontMetrics metrics = integrator_->fontMetrics();
     const QString text = integrator_->text();

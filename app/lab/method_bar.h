@@ -24,6 +24,10 @@ class MethodBar : public QObject {
 
  signals:
   void methodChosen(const carom::Method& method);
+  // The names are shown anew: what else stands in the tool bar may have all the room that it wants, until so
+  // many px are missing for them.
+  void roomFreed();
+  void roomMissing(int pixels);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

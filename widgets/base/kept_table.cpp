@@ -55,14 +55,14 @@ int KeptTable::covered_left() const {
   return kept ? columnWidth(0) : 0;
 }
 
-// Rows that leave no room for two others scroll as these do.
+// Rows that leave no room for another one scroll as these do.
 int KeptTable::first_kept() const {
   const int rows = model() == nullptr ? 0 : model()->rowCount();
   if (rows == 0) return 0;
   const int wanted = std::min(wanted_rows(), rows);
   const int height = verticalHeader()->defaultSectionSize();
   const bool out_of_sight = rowViewportPosition(rows - 1) + height > viewport()->height();
-  return out_of_sight && (wanted + 2) * height <= viewport()->height() ? rows - wanted : rows;
+  return out_of_sight && (wanted + 1) * height <= viewport()->height() ? rows - wanted : rows;
 }
 
 int KeptTable::kept_top() const {

@@ -130,6 +130,12 @@ void Inspector::build_bar() {
   name_->setAccessibleName(tr("Name"));
   name_->setToolTip(tr("A name of its own"));
   name_->hide();
+  name_->set_fault([this](const QString& name) {
+    const std::string wanted = name.toStdString();
+    const bool own = bodies_.front().name == wanted;
+    return own || bodies_named(*scene_, {wanted}).empty() ? QString()
+                                                          : tr("Another body is called %1.").arg(name);
+  });
   connect(name_, &QLineEdit::textChanged, this, &Inspector::fit_name);
   connect(name_, &QLineEdit::textEdited, this, [this] { say({}); });
   connect(name_, &TypedField::dropped, this, &Inspector::say);

@@ -14,6 +14,7 @@ QString name_fault(const QString& name, const QString& of) {
 QString NameField::take(const QString& text) {
   const QString name = text.trimmed();
   QString fault = name_fault(name, of_);
+  if (fault.isEmpty() && other_fault_) fault = other_fault_(name);
   if (fault.isEmpty()) emit named(name);
   return fault;
 }

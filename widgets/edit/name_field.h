@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <utility>
+
 #include "widgets/edit/typed_field.h"
 
 namespace carom {
@@ -16,6 +19,8 @@ class NameField : public TypedField {
   using TypedField::TypedField;
 
   void set_of(const QString& of) { of_ = of; }
+  // What else forbids a name, in one sentence; empty: nothing.
+  void set_fault(std::function<QString(const QString&)> fault) { other_fault_ = std::move(fault); }
 
  signals:
   void named(const QString& name);
@@ -25,6 +30,7 @@ class NameField : public TypedField {
 
  private:
   QString of_ = tr("A body");
+  std::function<QString(const QString&)> other_fault_;
 };
 
 }  // namespace carom

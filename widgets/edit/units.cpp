@@ -1,8 +1,10 @@
 #include "widgets/edit/units.h"
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
+#include "physics/scene/limits.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/rounding.h"
 
@@ -98,8 +100,10 @@ std::vector<Unit> units_of(std::string_view si) {
 }
 
 QString field_text(double value, std::string_view si) {
-  // A turn is the scale of every angle; others have none of their own.
-  const double kept = si == "rad" ? without_rounding(value, kTurn) : value;
+  // A turn is the scale of every angle. Others have none of their own, but nothing that a scene states is as
+  // small as this.
+  constexpr double kSmall = 1e-3 * kLeastPositive;
+  const double kept = si == "rad" ? without_rounding(value, kTurn) : std::abs(value) < kSmall ? 0.0 : value;
   const double shown = kept / shown_unit(si).factor;
   return shown == 0.0 ? QString("0") : short_figure(shown, 6);
 }

@@ -12,6 +12,14 @@ namespace {
 // px around a moving body that count as a click on it, and the least radius that the mouse has to meet.
 constexpr double kClickSlack = 3.0;
 constexpr double kLeastRadius = 12.0;
+constexpr double kWallSlack = 6.0;  // px on each side of a thin wall
+
+// px around the body that count as a click on it.
+double slack_of(const Body& body, double seen) {
+  if (!body.fixed) return std::max(kClickSlack, kLeastRadius - seen);
+  const auto* wall = std::get_if<Wall>(&body.shape);
+  return wall != nullptr && wall->length ? kWallSlack : 0.0;
+}
 
 bool covers(const Shape& shape, const Vec2& offset, double angle, double slack) {
   if (offset.norm() > bounding_radius(shape) + slack) return false;
@@ -42,7 +50,7 @@ std::vector<int> bodies_at(const Frame& frame, const Camera& camera, const QPoin
       const Body& body = (*frame.bodies)[static_cast<std::size_t>(i)];
       if (body.fixed != fixed) continue;
       const double seen = bounding_radius(body.shape) * camera.scale;
-      const double slack = fixed ? 0.0 : std::max(kClickSlack, kLeastRadius - seen) / camera.scale;
+      const double slack = slack_of(body, seen) / camera.scale;
       if (covers(body.shape, point - frame.state.position(i), frame.state.q(2, i), slack)) found.push_back(i);
     }
   }

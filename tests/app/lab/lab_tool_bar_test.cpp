@@ -35,15 +35,33 @@ TEST_F(LabToolBarTest, TheToolBarNamesTheExperimentAndKeepsTheSwitchesInAMenu) {
   ASSERT_TRUE(window_.open("head-on"));
   const QToolButton* experiments = button("Head-on");
   EXPECT_TRUE(experiments->text().startsWith("Head-on")) << experiments->text().toStdString();
-  const auto* more = button("Switches of the scene");
+  const auto* more = button("More buttons");
   EXPECT_FALSE(more->isVisible());
   window_.resize(1100, 700);
-  QApplication::processEvents();
-  EXPECT_TRUE(more->isVisible());
+  EXPECT_TRUE(wait_for([&] { return more->isVisible(); }));
   EXPECT_TRUE(more->menu()->actions().contains(action("Grid")));
   window_.resize(1280, 700);
-  QApplication::processEvents();
-  EXPECT_FALSE(more->isVisible());
+  EXPECT_TRUE(wait_for([&] { return !more->isVisible(); }));
+}
+
+// At any width and with any method.
+TEST_F(LabToolBarTest, NoButtonIsLost) {
+  for (const char* experiment : {"head-on", "ball-in-a-box"}) {
+    ASSERT_TRUE(window_.open(experiment));
+    for (const int width : {1400, 1280, 1240, 1200, 1199, 1100, 1024, 1000, 950, 900, 880}) {
+      window_.resize(width, 700);
+      QTest::qWait(30);
+      const QString where = QString("%1 at %2").arg(experiment).arg(width);
+      for (const char* tip :
+           {"Dark colours", "Help", "Which plots", "How free motion", "When impacts", "What holds"}) {
+        const QToolButton* shown = button(tip);
+        EXPECT_TRUE(shown->isVisible()) << tip << ", " << where.toStdString();
+        EXPECT_LE(shown->mapTo(&window_, QPoint(shown->width(), 0)).x(), width) << tip << where.toStdString();
+      }
+      const QString method = button("How free motion")->text();
+      EXPECT_TRUE(method.startsWith(QString(experiment) == "head-on" ? "RK4" : "E")) << method.toStdString();
+    }
+  }
 }
 
 TEST_F(LabToolBarTest, TheStepButtonGoesByTheIntegrator) {

@@ -105,6 +105,9 @@ TEST_F(InspectorTest, ABodyIsRenamed) {
   EXPECT_EQ(light().name, "ball");
   enter(field("Name"), " ");
   EXPECT_EQ(sentences(), QStringList{"A body has a name."});
+  enter(field("Name"), "heavy");
+  EXPECT_EQ(sentences(), QStringList{"Another body is called heavy."});
+  EXPECT_EQ(made_.size(), 1U);
 }
 
 TEST_F(InspectorTest, AFixedBodyHasNoMassAndNoMotion) {

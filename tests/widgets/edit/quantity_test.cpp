@@ -170,6 +170,11 @@ TEST(Quantity, ReadsWhatItShows) {
   }
 }
 
+TEST(Quantity, RoundingIsNoValue) {
+  EXPECT_EQ(field_text(5.36519e-17, "m"), "0");
+  EXPECT_EQ(field_text(-1e-12, "m"), "−1e−12");
+}
+
 TEST(Quantity, SaysWhatARangeAllows) {
   EXPECT_EQ(range_sentence("e", 1.2, kRestitutionRange), "e lies between 0 and 1.");
   EXPECT_EQ(range_sentence("Mass", 0.0, positive("kg")), "Mass is more than 0.");

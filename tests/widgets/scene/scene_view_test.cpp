@@ -13,6 +13,7 @@
 #include "physics/preset/preset.h"
 #include "tests/support/body_literal.h"
 #include "tests/support/scene_fixture.h"
+#include "widgets/scene/hit.h"
 #include "widgets/scene/paint_drawing.h"
 
 namespace carom {
@@ -55,6 +56,17 @@ TEST_F(SceneViewTest, PaintsBodiesOnTheGround) {
   EXPECT_EQ(image.pixelColor(300, 100), light_theme().scene_ground);
   view_.set_theme(dark_theme());
   EXPECT_EQ(view_.grab().toImage().pixelColor(180, 210), dark_theme().body_fill);
+}
+
+TEST_F(SceneViewTest, TheMouseFindsAThinWall) {
+  Preset preset = two_discs();
+  preset.scene.bodies[0].shape = Wall{2.0};
+  preset.scene.bodies[0].position = Vec2(2.0, 2.0);
+  const auto frame = frame_of(Simulation(setup_of(preset)));
+  const QPointF on = view_.camera().to_screen(Vec2(2.5, 2.0));
+  EXPECT_EQ(body_at(*frame, view_.camera(), on), 0);
+  EXPECT_EQ(body_at(*frame, view_.camera(), on + QPointF(0.0, 5.0)), 0);
+  EXPECT_EQ(body_at(*frame, view_.camera(), on + QPointF(0.0, 8.0)), -1);
 }
 
 TEST_F(SceneViewTest, ZoomsToTheSelection) {
