@@ -20,6 +20,7 @@
 #include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 #include "tests/support/run_fixture.h"
+#include "tests/widgets/plot/plot_panel_fixture.h"
 #include "widgets/base/number_text.h"
 #include "widgets/plot/legend_button.h"
 #include "widgets/plot/plot_content.h"
@@ -51,17 +52,8 @@ void set_values(Frame& frame, std::string_view observable, const Value& value) {
   }
 }
 
-class PlotPanelTest : public testing::Test {
+class PlotPanelTest : public PlotPanelFixture {
  protected:
-  void show(const Frame& frame) {
-    recorder->add(frame);
-    panel.resize(400, 560);
-    panel.show();
-    QApplication::processEvents();
-    panel.update_from({{recorder, "run"}});
-    panel.show_now();
-    QApplication::processEvents();
-  }
   [[nodiscard]] QWidget* canvas(int plot) const {
     return panel.plots()[static_cast<std::size_t>(plot)]->plot()->canvas();
   }
@@ -72,9 +64,6 @@ class PlotPanelTest : public testing::Test {
       return label->isVisible() && label->text().startsWith("zoomed");
     });
   }
-
-  std::shared_ptr<Recorder> recorder = std::make_shared<Recorder>();
-  PlotPanel panel{light_theme()};
 };
 
 TEST_F(PlotPanelTest, StacksThePlotsAskedForOverOneAxis) {

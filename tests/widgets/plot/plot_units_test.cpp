@@ -10,6 +10,7 @@
 #include <qwt_text.h>
 
 #include "tests/support/run_fixture.h"
+#include "tests/widgets/plot/plot_panel_fixture.h"
 #include "widgets/plot/plot_content.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/reading_table.h"
@@ -22,20 +23,14 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;  // rad
 
-class PlotUnitsTest : public testing::Test {
+class PlotUnitsTest : public PlotPanelFixture {
  protected:
   // A turns by 2 rad/s.
   void show(const std::vector<Plot>& plots) {
     Preset preset = head_on_scene();
     preset.scene.bodies[0].spin = 2.0;
     panel.set_plots(plots, preset.scene.bodies);
-    recorder->add(run_to(preset, 1.0, panel.curves()));
-    panel.resize(400, 560);
-    panel.show();
-    QApplication::processEvents();
-    panel.update_from({{recorder, "run"}});
-    panel.show_now();
-    QApplication::processEvents();
+    PlotPanelFixture::show(run_to(preset, 1.0, panel.curves()));
   }
   [[nodiscard]] RunPlot* plot(int index) const { return panel.plots()[static_cast<std::size_t>(index)]; }
   [[nodiscard]] QList<double> ticks(int index, int axis) const {
@@ -62,8 +57,6 @@ class PlotUnitsTest : public testing::Test {
 
   Plot angle = plot_of("angle");
   Plot spin = plot_of("spin");
-  std::shared_ptr<Recorder> recorder = std::make_shared<Recorder>();
-  PlotPanel panel{light_theme()};
 };
 
 TEST_F(PlotUnitsTest, AnglesAreInDegrees) {
