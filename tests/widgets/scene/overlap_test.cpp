@@ -57,9 +57,12 @@ class Shapes {
  public:
   explicit Shapes(unsigned seed) : random_(seed) {}
   double draw(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
+  // One draw a statement: compilers evaluate arguments in different orders.
   Body body(const std::string& name, int kind, double within) {
-    return body_of(name, shape(kind), Vec2(draw(-within, within), draw(-within, within)),
-                   draw(-std::numbers::pi, std::numbers::pi));
+    const Shape form = shape(kind);
+    const double x = draw(-within, within);
+    const double y = draw(-within, within);
+    return body_of(name, form, Vec2(x, y), draw(-std::numbers::pi, std::numbers::pi));
   }
   Shape shape(int kind) {
     switch (kind) {
@@ -119,7 +122,10 @@ TEST(Overlap, MovedOutTouchesAndLeavesNone) {
         const auto before = overlaps_of(std::array{first}, {{second}, {}});
         const auto out = moved_out(std::array{first}, {{second}, {}});
         if (!out) {
-          EXPECT_TRUE(!before.empty() && before[0].depth > 1.0) << a << " " << b;
+          // Out of a half-plane, or with one, the way may be longer than four times the other body's size.
+          EXPECT_TRUE(a == 5 || b == 5) << a << " " << b;
+          const double size = bounding_radius(a == 5 ? second.shape : first.shape);
+          EXPECT_TRUE(!before.empty() && before[0].depth > 3.9 * size) << a << " " << b << " " << k;
           continue;
         }
         const Vec2 moved = out->front().position - first.position;
