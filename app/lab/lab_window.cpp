@@ -140,6 +140,7 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
   constexpr int kSoon = 200;  // ms: a scene that is ready by then shows no notice
   QTimer::singleShot(kSoon, this, &LabWindow::show_preparing);
   view_->set_view(preset.view);
+  view_->set_tool(preset.tool, preset.tool != SceneTool::kSelect);
   view_->set_aim(std::nullopt);
   chips_->forget_position();
   said_.clear();
@@ -157,7 +158,8 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
 // work is not left for it.
 void LabWindow::preview(const QString& name) {
   if (session_.modified()) return;
-  const Shown before = before_preview_.value_or(Shown{preset(), session_.name(), session_.file()});
+  const Shown before = before_preview_.value_or(
+      Shown{preset(), session_.name(), session_.file(), view_->tool(), view_->tool_kept()});
   try {
     show_scene(read_preset(find_preset(name.toStdString())), name, {});
   } catch (const SceneError&) {
@@ -170,7 +172,10 @@ void LabWindow::leave_preview() {
   list_action_->setChecked(false);
   const std::optional<Shown> before = std::exchange(before_preview_, std::nullopt);
   if (!before) return;
-  files_->when_saved([this, before] { show_scene(before->preset, before->name, before->file); });
+  files_->when_saved([this, before] {
+    show_scene(before->preset, before->name, before->file);
+    view_->set_tool(before->tool, before->tool_kept);
+  });
 }
 
 // What the experiment is about, and what its scene needs of the model.

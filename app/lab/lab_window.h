@@ -184,6 +184,8 @@ class LabWindow : public QMainWindow {
   struct Shown {
     Preset preset;
     QString name, file;
+    SceneTool tool;
+    bool tool_kept;
   };
 
   Theme theme_;

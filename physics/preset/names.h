@@ -32,4 +32,19 @@ inline constexpr auto kSweepNames = std::to_array<Named<Sweep::Reduction>>({
 inline constexpr auto kPlotNames = std::to_array<std::string_view>(
     {"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift", "error", "speeds", "impulses"});
 
+inline constexpr auto kSceneToolNames = std::to_array<Named<SceneTool>>({
+    {SceneTool::kSelect, "select"},
+    {SceneTool::kDisc, "disc"},
+    {SceneTool::kBox, "box"},
+    {SceneTool::kPolygon, "polygon"},
+    {SceneTool::kWall, "wall"},
+    {SceneTool::kRod, "rod"},
+    {SceneTool::kString, "string"},
+    {SceneTool::kSpring, "spring"},
+    {SceneTool::kPin, "pin"},
+    {SceneTool::kWeld, "weld"},
+    {SceneTool::kForce, "force"},
+    {SceneTool::kDrive, "drive"},
+});
+
 }  // namespace carom

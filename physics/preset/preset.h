@@ -61,6 +61,22 @@ struct View {
   std::optional<double> height{};  // m, > 0; none: five eighths of the width
 };
 
+// What the mouse does in the window's scene.
+enum class SceneTool {
+  kSelect,
+  kDisc,
+  kBox,
+  kPolygon,
+  kWall,
+  kRod,
+  kString,
+  kSpring,
+  kPin,
+  kWeld,
+  kForce,
+  kDrive
+};
+
 // A remark at a point of a plot, in the units of its axes.
 struct PlotNote {
   double x = 0.0;
@@ -100,6 +116,7 @@ struct Preset {
   std::vector<Expectation> expect;
   std::vector<Plot> plots;  // to open with; none: the usual ones
   std::optional<View> view;
+  SceneTool tool = SceneTool::kSelect;  // that the window has in hand at first, and keeps
   std::optional<SavedRun> saved;
   std::string extra;  // a JSON object kept as it is; empty if there is none
 };

@@ -76,6 +76,7 @@ void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
     v.list({0, kMostPlots}, [&](const ValueReader& plot) { preset.plots.push_back(read_plot(plot)); });
   });
   r.object({"view", "what the window shows at first"}, preset.view);
+  r.choice({"tool", "that the mouse has in hand at first"}, kSceneToolNames, preset.tool);
   r.read_objects(
       {"expect", "what the experiment must show"}, kMostExpectations,
       [&](FieldReader& e, const std::string&) { read_expectation(e, preset.expect.emplace_back()); });
@@ -208,7 +209,8 @@ Json preset_json(const Preset& preset, bool all) {
     j["added"].push_back(written(LateBody{edit.time, added_body(edit)}, all));
   for (const Stop& stop : preset.stops) j["stop"].push_back(stop_json(stop));
   for (const Plot& plot : preset.plots) j["plots"].push_back(plot_json(plot));
-  if (preset.view) j["view"] = {{"center", pair_json(preset.view->center)}, {"width", preset.view->width}};
+  if (preset.view) j["view"] = written(*preset.view, true);
+  if (preset.tool != SceneTool::kSelect) j["tool"] = name_of(kSceneToolNames, preset.tool);
   for (const Expectation& e : preset.expect) j["expect"].push_back(written_by(e, false, read_expectation));
   if (preset.saved) j["state"] = state_json(*preset.saved, preset.scene);
   if (!preset.extra.empty()) j["extra"] = Json::parse(preset.extra);

@@ -2,25 +2,11 @@
 
 #include <QString>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
 #include "widgets/scene/drag.h"
 
 namespace carom {
-
-enum class SceneTool {
-  kSelect,
-  kDisc,
-  kBox,
-  kPolygon,
-  kWall,
-  kRod,
-  kString,
-  kSpring,
-  kPin,
-  kWeld,
-  kForce,
-  kDrive
-};
 
 // A press of the mouse, and where the mouse is now.
 struct Stroke {
