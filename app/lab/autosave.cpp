@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QSaveFile>
 #include <QStandardPaths>
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@ namespace {
 constexpr const char* kSuffix = ".json";
 
 QString lock_of(const QString& file) { return file + ".lock"; }
+QString starts_of(const QString& file) { return file + ".starts"; }
 
 // Exclusive while this process holds it; released when the process ends.
 std::unique_ptr<QLockFile> locked(const QString& file) {
@@ -38,12 +40,24 @@ KeptWork::KeptWork(const QString& file, std::unique_ptr<QLockFile> lock)
 
 Preset KeptWork::preset() const { return read_preset(file_.toStdString()); }
 
+KeptStarts KeptWork::starts() const {
+  QFile file(starts_of(file_));
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  try {
+    return read_starts(file.readAll());
+  } catch (const SceneError&) {
+    return {};
+  }
+}
+
 void KeptWork::remove() {
   QFile::remove(file_);
+  QFile::remove(starts_of(file_));
   lock_.reset();
 }
 
 void KeptWork::set_aside() {
+  QFile::remove(starts_of(file_));
   QFile::remove(file_ + ".damaged");
   if (!QFile::rename(file_, file_ + ".damaged")) QFile::remove(file_);
   lock_.reset();
@@ -62,12 +76,23 @@ std::vector<KeptWork> kept_work(const QString& folder) {
   return all;
 }
 
-void Autosave::keep(const Preset& preset) {
-  std::string text = write_preset(preset);
-  if (!file_.isEmpty() && text == written_) return;
+void Autosave::keep(const Preset& preset, const KeptStarts& starts) {
   if (file_.isEmpty()) choose_file();
-  save_preset(preset, file_.toStdString());
-  written_ = std::move(text);
+  if (std::string text = write_preset(preset); text != written_) {
+    save_preset(preset, file_.toStdString());
+    written_ = std::move(text);
+  }
+  if (QByteArray text = carom::written_starts(starts); text != written_starts_) {
+    write_starts(text);
+    written_starts_ = std::move(text);
+  }
+}
+
+void Autosave::write_starts(const QByteArray& text) {
+  QSaveFile file(starts_of(file_));
+  if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit()) return;
+  throw SceneError(fmt::format("{}: the starts of unsaved work cannot be written: {}",
+                               file.fileName().toStdString(), file.errorString().toStdString()));
 }
 
 void Autosave::choose_file() {
@@ -87,9 +112,13 @@ void Autosave::choose_file() {
 }
 
 void Autosave::forget() {
-  if (!file_.isEmpty()) QFile::remove(file_);
+  if (!file_.isEmpty()) {
+    QFile::remove(file_);
+    QFile::remove(starts_of(file_));
+  }
   file_.clear();
   written_.clear();
+  written_starts_.clear();
   lock_.reset();
 }
 

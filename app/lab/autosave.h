@@ -1,13 +1,15 @@
 #pragma once
 
+#include <QByteArray>
 #include <QDateTime>
 #include <QLockFile>
 #include <QString>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "app/lab/kept_starts.h"
 #include "physics/preset/preset.h"
-#include "physics/scene/scene.h"
 
 namespace carom {
 
@@ -23,6 +25,8 @@ class KeptWork {
   [[nodiscard]] const QDateTime& time() const { return time_; }  // when it was kept
   // Throws SceneError where the file cannot be read.
   [[nodiscard]] Preset preset() const;
+  // Of that work; none where they can't be read.
+  [[nodiscard]] KeptStarts starts() const;
   void remove();
   // Keeps the file for inspection, as *.damaged in the same folder; it is not offered again.
   void set_aside();
@@ -36,8 +40,8 @@ class KeptWork {
 // Work in the folder that belongs to no open window, the oldest first.
 [[nodiscard]] std::vector<KeptWork> kept_work(const QString& folder);
 
-// Keeps one window's unsaved work in a file of its own, which is a preset like any other. The file is removed
-// when the work is saved or discarded, and at a normal exit.
+// Keeps one window's unsaved work in a file of its own, which is a preset like any other, and its starts in a
+// second one. They are removed when the work is saved or discarded, and at a normal exit.
 class Autosave {
  public:
   explicit Autosave(QString folder) : folder_(std::move(folder)) {}
@@ -45,18 +49,20 @@ class Autosave {
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  // Writes the scene unless the file has it already. Throws SceneError if it cannot be written.
-  void keep(const Preset& preset);
+  // Writes what the files do not have already. Throws SceneError if they cannot be written.
+  void keep(const Preset& preset, const KeptStarts& starts);
   void forget();
   [[nodiscard]] const QString& file() const { return file_; }  // empty while nothing is kept
 
  private:
   void choose_file();
+  void write_starts(const QByteArray& text);
 
   QString folder_;
   QString file_;
   std::unique_ptr<QLockFile> lock_;
   std::string written_;
+  QByteArray written_starts_;
 };
 
 }  // namespace carom

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QUndoStack>
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -48,6 +49,9 @@ class EditHistory : public QObject {
   // Without a step of undo: how the start came about, and one more id given to a part.
   void set_origin(const StartOrigin& origin) { document_.start = origin; }
   void count_id() { ++document_.preset.scene.ids_given; }
+  void count_ids_to(std::uint32_t given) {
+    document_.preset.scene.ids_given = std::max(document_.preset.scene.ids_given, given);
+  }
 
   // --- what was done
   [[nodiscard]] const DocumentEdit* last_edit() const;  // none: nullptr

@@ -37,7 +37,7 @@ void Session::open(const Preset& preset, const std::vector<Plot>& plots, const s
   document.preset.plots = plots;
   give_ids(document.preset);
   document.start = {.scene = fingerprint(document.preset.scene, start_time(document.preset.saved))};
-  starts_.set_first(start_of(document));
+  starts_.begin(start_of(document));
   name_ = name;
   file_ = file;
   history_.load(document, curves);

@@ -69,6 +69,7 @@ void SessionStarts::restart() {
 
 std::vector<SessionStarts::Known> SessionStarts::known() const {
   std::vector<Known> known = {{name_of(*first_), first_}};
+  for (const Known& each : recovered_) add_known(known, each);
   for (int i = 0; i < history_.stack().index(); ++i) {
     if (const auto& left = history_.edit_at(i).what().leaves) add_known(known, {name_of(*left), left});
   }
@@ -79,6 +80,42 @@ std::vector<SessionStarts::Known> SessionStarts::known() const {
     add_known(known, {name_of(now), nullptr});
   }
   return known;
+}
+
+KeptStarts SessionStarts::kept() const {
+  constexpr std::ptrdiff_t kMost = 20;
+  std::vector<Known> all = known();
+  if (std::ssize(all) > kMost) all.erase(all.begin() + 1, all.end() - kMost);
+  const Document& document = history_.document();
+  KeptStarts kept;
+  for (const Known& each : all) {
+    if (each.start == nullptr) {
+      kept.push_back({document.start, std::nullopt, body_ids(document.preset)});
+      continue;
+    }
+    Document there = document;
+    apply_change(there, change_to_start(document, *each.start));
+    auto ids = body_ids(there.preset);
+    kept.push_back({each.start->origin, std::move(there.preset), std::move(ids)});
+  }
+  return kept;
+}
+
+void SessionStarts::recover(const KeptStarts& starts) {
+  const Preset& document = history_.document().preset;
+  std::uint32_t given = document.scene.ids_given;
+  std::vector<Start> all = starts_of(starts, document, given);
+  history_.count_ids_to(given);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!starts[i].preset) history_.set_origin(all[i].origin);
+    if (i == 0) {
+      set_first(std::move(all[i]));
+    } else if (starts[i].preset) {
+      const QString name = name_of(all[i]);
+      recovered_.push_back({name, std::make_shared<const Start>(std::move(all[i]))});
+    }
+  }
+  emit history_.documentChanged();
 }
 
 void SessionStarts::leave(const QString& text, const Start& start) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/lab/edit_history.h"
+#include "app/lab/kept_starts.h"
 
 namespace carom {
 
@@ -35,6 +36,15 @@ class SessionStarts : public QObject {
   // The first one, as opened or saved, stands first.
   [[nodiscard]] std::vector<Known> known() const;
   void set_first(Start start) { first_ = std::make_shared<const Start>(std::move(start)); }
+  // The document has another preset, which begins so.
+  void begin(Start start) {
+    set_first(std::move(start));
+    recovered_.clear();
+  }
+  // They as a file holds them: the first one, the present one and the last of the others.
+  [[nodiscard]] KeptStarts kept() const;
+  // Those of a session that had this document.
+  void recover(const KeptStarts& starts);
   void go_to(const Known& known);
   void go_to_first();
   // Takes the newest start back, and makes its edit in the start before it instead; says why not, where it
@@ -50,6 +60,7 @@ class SessionStarts : public QObject {
   EditHistory& history_;
   LabRuns& runs_;  // its
   std::shared_ptr<const Start> first_;
+  std::vector<Known> recovered_;  // beside the first and the present one
 };
 
 }  // namespace carom

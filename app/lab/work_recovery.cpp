@@ -46,7 +46,7 @@ void WorkRecovery::keep_now() {
   try {
     Preset work = session_.document();
     if (const std::optional<View> view = view_()) work.view = view;
-    autosave_->keep(work);
+    autosave_->keep(work, session_.starts().kept());
     kept_ = session_.revision();
     not_kept_.clear();
   } catch (const SceneError& error) {
@@ -75,7 +75,7 @@ void WorkRecovery::offer() {
 void WorkRecovery::restore() {
   if (offered_.empty()) return;
   try {
-    emit restoreAsked(offered_.front().preset());
+    emit restoreAsked(offered_.front().preset(), offered_.front().starts());
   } catch (const SceneError&) {
     offer();  // it was readable before: reports it now
   }

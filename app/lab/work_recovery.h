@@ -14,8 +14,8 @@ namespace carom {
 class NoticeBar;
 class Session;
 
-// Keeps the unsaved work of a session in a file, at most ten seconds behind, and offers it in a bar after a
-// crash.
+// Keeps the unsaved work of a session, with its starts, in files, at most ten seconds behind, and offers it in
+// a bar after a crash.
 class WorkRecovery : public QObject {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class WorkRecovery : public QObject {
   [[nodiscard]] const QString& not_kept() const { return not_kept_; }
 
  signals:
-  void restoreAsked(const carom::Preset& work);
+  void restoreAsked(const carom::Preset& work, const carom::KeptStarts& starts);
   void keptChanged();
 
  private:

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/standard_output.h"
+#include "tests/app/lab/killed_starts.h"
 #include "tests/app/lab/late_discs.h"
 #include "widgets/print/print_blocks.h"
 
@@ -36,5 +37,6 @@ int main(int argc, char** argv) {
     return write_reports(argv[2]);
   }
   if (argc == 3 && std::strcmp(argv[1], "--keep-late-discs") == 0) return carom::keep_late_discs(argv[2]);
+  if (argc == 3 && std::strcmp(argv[1], "--keep-starts") == 0) return carom::keep_starts(argv[2]);
   return RUN_ALL_TESTS();
 }

@@ -10,9 +10,12 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 #include <QTimer>
+#include <algorithm>
 #include <csignal>
 #include <gtest/gtest.h>
+#include <random>
 
 #include "app/lab/lab_window.h"
 #include "app/lab/notice_bar.h"
@@ -21,6 +24,7 @@
 #include "physics/preset/preset_file.h"
 #include "tests/app/lab/late_discs.h"
 #include "tests/app/lab/seen_run.h"
+#include "tests/support/effort.h"
 #include "tests/support/wait_events.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/scene/scene_view.h"
@@ -170,6 +174,82 @@ TEST_F(AutosaveTest, WorkOfAKilledWindowRunsAsItDid) {
     expect_same(seen_runs(session.runs()), seen_runs(seen.runs()));
     session.starts().restart();
     ASSERT_TRUE(test::wait_in_event_loop([&] { return session.runs().frame()->time == 0.0; }));
+  }
+}
+
+TEST_F(AutosaveTest, TheStartsComeBackWithTheWork) {
+  const auto names = [](LabWindow& window) {
+    QStringList all;
+    for (const SessionStarts::Known& known : window.session().starts().known()) all << known.name;
+    return all;
+  };
+  QStringList before;
+  QByteArray starts;
+  QByteArray left;
+  {
+    const auto window = lab(kept());
+    window->run_until(0.5);
+    Body body = window->session().runs().scene()->bodies[0];
+    body.position.y() += 0.5;
+    window->session().edit({Replace<Body>{body}}, "Move light");
+    ASSERT_TRUE(test::wait_in_event_loop([&] { return window->frame()->time == 0.0; }));
+    window->keep_now();
+    before = names(*window);
+    ASSERT_EQ(before.size(), 2);
+    ASSERT_EQ(files().size(), 1);
+    left = bytes(files().constFirst());
+    starts = bytes(files().constFirst() + ".starts");
+  }
+  EXPECT_TRUE(QDir(kept()).entryList(QDir::Files).isEmpty()) << "at a normal end nothing is left";
+  leave_work("work-1-0.json", left);
+  QFile file(kept() + "/work-1-0.json.starts");
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(starts);
+  file.close();
+  const auto window = lab(kept());
+  click(*window, "Restore");
+  EXPECT_EQ(names(*window), before);
+  EXPECT_FALSE(QFile::exists(file.fileName()));
+  const auto chips = window->scene_view().findChildren<QPushButton*>("chip");
+  EXPECT_TRUE(std::any_of(chips.begin(), chips.end(), [](const QPushButton* chip) {
+    return chip->text().startsWith("new start, from 0.5");
+  }));
+  window->session().starts().go_to_first();
+  EXPECT_EQ(window->session().bodies()[0].position,
+            read_preset(find_preset("head-on")).scene.bodies[0].position);
+}
+
+// Killed at any moment, also while it writes.
+TEST_F(AutosaveTest, TheStartsOfAKilledWindowComeBack) {
+  std::mt19937 random(7);
+  const int kills = test::by_effort(2, 6, 200);
+  for (int i = 0; i < kills; ++i) {
+    SCOPED_TRACE(i);
+    QProcess killed;
+    killed.start(QCoreApplication::applicationFilePath(), {"--keep-starts", kept()});
+    ASSERT_TRUE(killed.waitForStarted());
+    for (int lines = 1 + static_cast<int>(random() % 3); lines > 0; --lines) {
+      while (!killed.canReadLine()) ASSERT_TRUE(killed.waitForReadyRead(600'000));
+      ASSERT_EQ(killed.readLine(), "kept\n");
+    }
+    QThread::usleep(random() % 60'000);
+    kill(static_cast<pid_t>(killed.processId()), SIGKILL);
+    ASSERT_TRUE(killed.waitForFinished());
+    const auto window = lab(kept());
+    ASSERT_TRUE(bar(*window)->isVisible());
+    click(*window, "Restore");
+    SessionStarts& starts = window->session().starts();
+    const std::size_t known = starts.known().size();
+    EXPECT_GE(known, 2U);
+    EXPECT_EQ(starts.known().front().name, "as opened");
+    const std::vector<Body> opened = read_preset(find_preset("head-on")).scene.bodies;
+    starts.go_to_first();
+    EXPECT_EQ(window->session().bodies()[0].position, opened[0].position);
+    window->session().edits().undo();
+    EXPECT_EQ(starts.known().size(), known);
+    window->session().edits().setClean();
+    window->keep_now();
+    EXPECT_TRUE(files().isEmpty());
   }
 }
 

@@ -107,6 +107,47 @@ TEST_F(SessionStartsTest, TheFirstStartIsTheOneThatWasOpened) {
   expect_same(shown(), before);
 }
 
+TEST_F(SessionStartsTest, AFileHoldsThemAll) {
+  const std::string opened = document();
+  raise(0.4);
+  const std::string raised = document();
+  Body body = now("disc 1");
+  body.name = "renamed";
+  edit(Replace<Body>{body}, "Rename");
+  raise(0.3);
+  const std::string last = document();
+  const std::vector<QString> before = names();
+  ASSERT_EQ(before.size(), 3U);
+  const QByteArray text = written_starts(session_.starts().kept());
+
+  open(parse_preset(last, "last"));
+  EXPECT_EQ(names().size(), 1U);
+  session_.starts().recover(read_starts(text));
+  EXPECT_EQ(names(), before);
+  ASSERT_TRUE(session_.start().from);
+  EXPECT_NEAR(*session_.start().from, 0.3, 0.01);
+  session_.starts().go_to_first();
+  settle();
+  EXPECT_EQ(document(), opened);
+  undo();
+  EXPECT_EQ(document(), last);
+  go_to(1);
+  EXPECT_EQ(session_.start().by, "Move disc 2");
+  EXPECT_EQ(session_.bodies().at(place_of("disc 1")).name, "renamed") << "edited after it had begun";
+  EXPECT_NE(document(), raised);
+  // A body of one name is the same body: an edit of it is made in the start that came before.
+  give_mass("disc 2", 2.0);
+  session_.edits().undo();
+  settle();
+  EXPECT_EQ(session_.bodies().size(), gas().scene.bodies.size());
+}
+
+TEST_F(SessionStartsTest, WhatIsNoListOfStartsIsSaid) {
+  EXPECT_THROW((void)read_starts("{}"), SceneError);
+  EXPECT_THROW((void)read_starts("[{\"preset\": \"no preset\"}]"), SceneError);
+  EXPECT_TRUE(read_starts("[]").empty());
+}
+
 TEST_F(SessionStartsTest, AfterSavingTheFirstStartIsTheSavedOne) {
   raise(0.4);
   const QTemporaryDir folder;
