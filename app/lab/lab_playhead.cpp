@@ -11,7 +11,7 @@ namespace carom {
 
 std::optional<double> LabRuns::picked() const {
   if (playhead_ && playhead_->impact) return playhead_->impact;
-  if (!stepped_ || frames().empty() || !there()) return std::nullopt;
+  if (!picks_last_ || frames().empty() || !there()) return std::nullopt;
   const Frame& shown = *frames().front();
   if (shown.playing || shown.jumps.empty()) return std::nullopt;
   const double time = shown.jumps.back()->time();
@@ -22,7 +22,7 @@ std::optional<double> LabRuns::picked() const {
 
 void LabRuns::go_to(double time) {
   if (!has_record()) return;
-  stepped_ = false;
+  picks_last_ = false;
   if (time >= frames_.front()->time) return go_to_end();
   seek({std::max(time, start_time(document_.preset.saved))});
 }
@@ -30,7 +30,7 @@ void LabRuns::go_to(double time) {
 void LabRuns::go_to_start() { go_to(start_time(document_.preset.saved)); }
 
 void LabRuns::go_to_end() {
-  stepped_ = false;
+  picks_last_ = false;
   leave_past();
 }
 
@@ -43,14 +43,19 @@ void LabRuns::leave_past() {
 
 void LabRuns::go_to_impact(double time) {
   if (!has_record()) return;
-  stepped_ = false;
+  if (frames_.front()->playing) worker_.set_playing(false);
+  stand_at_impact(time);
+  emit framesChanged();
+}
+
+void LabRuns::stand_at_impact(double time) {
+  picks_last_ = true;  // where it is at the end of the newest step
   const double just_before = 2.0 * kSameMoment * frames_.front()->method.step;
-  seek({.time = time - just_before, .impact = time}, time);
+  stand_at({.time = time - just_before, .impact = time}, time);
 }
 
 void LabRuns::go_by_impact(bool forward) {
   if (!has_record()) return;
-  stepped_ = false;
   const Frame& shown = *frames().front();
   const double step = shown.method.step;
   const double rounding = kSameMoment * step;
@@ -68,7 +73,7 @@ void LabRuns::go_by_impact(bool forward) {
 }
 
 void LabRuns::step_by(int steps) {
-  stepped_ = steps > 0;
+  picks_last_ = steps > 0;
   if (!playhead_ && steps > 0) return worker_.step_once();
   if (!has_record()) return;
   if (!playhead_ && frames_.front()->time <= start_time(document_.preset.saved)) return;
@@ -104,11 +109,15 @@ bool LabRuns::has_record() const {
 
 void LabRuns::seek(const PastMoment& moment, std::optional<double> impact) {
   if (frames_.front()->playing) worker_.set_playing(false);
+  stand_at(moment, impact);
+  emit framesChanged();
+}
+
+void LabRuns::stand_at(const PastMoment& moment, std::optional<double> impact) {
   if (!playhead_) playhead_ = Playhead{};
   playhead_->impact = impact;
   playhead_->plays = false;
   ask_worker(moment);
-  emit framesChanged();
 }
 
 void LabRuns::ask_worker(const PastMoment& moment) {
@@ -133,25 +142,16 @@ void LabRuns::play_past(bool playing) {
 double LabRuns::past_due(Pace::Clock::time_point now) {
   constexpr double kLeast = 1e-6;  // s
   const double due = pace_.due(now);
-  if (!slows_near_impacts_) {
-    pace_.slow_down(false, playhead_->passed, now);
-    return due;
-  }
-  const Frame& newest = *frames_.front();
   const double passed = playhead_->passed;
+  if (!slows_near_impacts_) return pace_.due_near_impacts(due, passed, due, now);
+  const Frame& newest = *frames_.front();
   const double from = std::max(passed - kNearImpact, start_time(document_.preset.saved));
   const double to = std::min(std::max(passed, due) + kNearImpact, newest.time);
   std::vector<double> times;
   for (const ImpactRecord& impact : impacts_between(*recorders().front(), from, to))
     times.push_back(impact.time);
   const KnownImpacts known{times, from, to, newest.method.step, newest.time};
-  const std::optional<double> free = free_until(known, passed, due, kLeast);
-  if (pace_.slow() == free.has_value()) {
-    pace_.slow_down(!free.has_value(), passed, now);
-    return passed;
-  }
-  if (free && *free < due) pace_.begin(*free, now);
-  return free.value_or(due);
+  return pace_.due_near_impacts(free_until(known, passed, due, kLeast), passed, due, now);
 }
 
 void LabRuns::play_past_on() {

@@ -24,7 +24,7 @@ LabRuns::LabRuns(const Document& document) : document_(document), worker_(docume
 // -----------------------------------------------------------------------------------------------------------
 
 void LabRuns::set_playing(bool playing) {
-  stepped_ = false;
+  picks_last_ = false;
   if (replayed_) return worker_.end_replay();
   if (playing) forget_wait();
   if (playhead_) return play_past(playing);
@@ -46,7 +46,7 @@ bool LabRuns::at_end() const {
 }
 
 void LabRuns::restart() {
-  stepped_ = false;
+  picks_last_ = false;
   forget_wait();
   show_start();
   playhead_.reset();
@@ -72,7 +72,7 @@ bool LabRuns::slow() const {
 }
 
 void LabRuns::run_until(double time) {
-  stepped_ = false;
+  picks_last_ = false;
   const auto wait_until = [this](const auto& fulfilled) {
     while (!fulfilled()) {
       worker_.wait_for_frames(std::chrono::milliseconds(100));
@@ -178,7 +178,7 @@ void LabRuns::take_news(const Frames& news) {
 // -----------------------------------------------------------------------------------------------------------
 
 void LabRuns::load(const std::vector<Curve>& curves) {
-  stepped_ = false;
+  picks_last_ = false;
   forget_wait();
   frames_.clear();
   playhead_.reset();
@@ -206,7 +206,7 @@ void LabRuns::await_begin() {
 }
 
 void LabRuns::begin() {
-  stepped_ = false;
+  picks_last_ = false;
   begins_ = true;
   replayed_.reset();
   will_begin_ = false;
@@ -250,6 +250,7 @@ Worker::EditId LabRuns::cut(Worker::EditId again) {
   std::transform(left.recorders.begin(), left.recorders.end(), recorders_.begin(),
                  [](const auto& recorder) { return std::make_shared<Recorder>(*recorder); });
   frames_ = left.playhead->frames;
+  picks_last_ = false;
   if (before_) before_->from = frames_.front()->time;
   scene_ = frames_.front()->scene;
   awaited_ = 0;
@@ -303,7 +304,7 @@ void LabRuns::show_again(const Frames& frames, const std::shared_ptr<const Scene
 }
 
 void LabRuns::return_to(Worker::EditId edit) {
-  stepped_ = false;
+  picks_last_ = false;
   Left& left = left_.at(edit);
   left.returned = true;
   recorders_ = std::move(left.recorders);
@@ -330,7 +331,7 @@ std::shared_ptr<LabRuns::Entered> LabRuns::enter() const {
 }
 
 void LabRuns::take_back(Entered& run) {
-  stepped_ = false;
+  picks_last_ = false;
   forget_wait();
   run.kept = worker_.keep_taken_back();
   Left left{.frames = frames_, .scene = scene_, .playhead = playhead_, .returned = true};

@@ -63,7 +63,8 @@ class LabRuns : public QObject {
   [[nodiscard]] double shown_time() const;  // s, that was asked for
   // The stop of which the moment is shown, while it stands there (lab_stops.cpp).
   [[nodiscard]] std::optional<Stop> stopped() const;
-  // s, of the impact that was gone to, while its moment is shown; after a step on, of the last one within it.
+  // s, of the impact that was gone to or stopped at, while its moment is shown; after a step on, of the last
+  // one within it.
   [[nodiscard]] std::optional<double> picked() const;
 
   // --- what is known of them
@@ -176,6 +177,9 @@ class LabRuns : public QObject {
   [[nodiscard]] bool has_record() const;
   void seek(const PastMoment& moment, std::optional<double> impact = std::nullopt);
   void ask_worker(const PastMoment& moment);
+  // Until the moment is there, what is shown stays.
+  void stand_at(const PastMoment& moment, std::optional<double> impact = std::nullopt);
+  void stand_at_impact(double time);  // s
   void step_from_impact(int steps);
   void play_past(bool playing);
   void play_past_on();
@@ -186,6 +190,7 @@ class LabRuns : public QObject {
   // Where stops were met.
   void take_halt(const Frames& before);
   void show_stop(const MetStop& met);
+  [[nodiscard]] std::optional<double> impact_of(const MetStop& met) const;
   [[nodiscard]] const MetStop* stop_until(double time) const;
   void show_speeds(const Frames& frames);
   [[nodiscard]] std::shared_ptr<const Frame> with_impacts(const Frame& frame, std::size_t run) const;
@@ -204,8 +209,8 @@ class LabRuns : public QObject {
   std::optional<RunBefore> before_;
   std::optional<Playhead> playhead_;  // none: at the newest moment
   Pace pace_{Pace::Clock::now()};     // while the playhead plays
-  bool stepped_ = false;              // a step on has led to what is shown
-  std::uint64_t halts_ = 0;           // number of the last one that was shown
+  bool picks_last_ = false;  // an impact of the last step is picked: a step on, or the impact, was asked for
+  std::uint64_t halts_ = 0;  // number of the last one that was shown
   std::optional<double> replayed_;
   double speed_ = 1.0;
   bool slows_near_impacts_ = false;

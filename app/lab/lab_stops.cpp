@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/lab/lab_runs.h"
+#include "physics/record/impact_moments.h"
 
 // The stops of the lab's runs: playing ends at their moments, the newest ones and those of the record.
 namespace carom {
@@ -27,12 +29,27 @@ void LabRuns::take_halt(const Frames& before) {
   playhead_->frames.front() = std::move(first);
 }
 
+// s, of the impact at which a stop was met; nothing for other stops.
+std::optional<double> LabRuns::impact_of(const MetStop& met) const {
+  const Recorder& recorder = *recorders_.front();
+  // The stops may have been changed since.
+  if (recorder.stops() == nullptr || met.stop >= recorder.stops()->size()) return std::nullopt;
+  const StopKind kind = (*recorder.stops())[met.stop].kind;
+  if (kind != StopKind::kImpact && kind != StopKind::kEveryImpact) return std::nullopt;
+  // It is met just after its own impact, but in a step of another length.
+  const double rounding = kSameMoment * frames_.front()->method.step;
+  for (const double until : {met.time, met.time + rounding}) {
+    const std::optional<double> impact = impact_until(recorder, until);
+    if (impact && *impact > met.time - rounding) return impact;
+  }
+  return std::nullopt;
+}
+
 void LabRuns::show_stop(const MetStop& met) {
+  if (const std::optional<double> impact = impact_of(met)) return stand_at_impact(*impact);
+  picks_last_ = false;
   if (met.part == 0.0 && met.time >= frames_.front()->time) return go_to_end();
-  if (!playhead_) playhead_ = Playhead{};
-  playhead_->impact.reset();
-  playhead_->plays = false;
-  ask_worker({.time = met.part == 0.0 ? met.time : met.step_start, .part = met.part});
+  stand_at({.time = met.part == 0.0 ? met.time : met.step_start, .part = met.part});
 }
 
 // The next one of the record up to this moment (s), while it plays there.
@@ -47,11 +64,13 @@ const MetStop* LabRuns::stop_until(double time) const {
 std::optional<Stop> LabRuns::stopped() const {
   if (frames().empty() || frames().front()->playing || !there() || recorders_.empty()) return std::nullopt;
   const Recorder& recorder = *recorders_.front();
-  const double time = frames().front()->time;
+  const double time = picked().value_or(frames().front()->time);
+  const double rounding = kSameMoment * frames().front()->method.step;
   const auto met = std::find_if(recorder.met().begin(), recorder.met().end(),
-                                [time](const MetStop& each) { return each.time == time; });
+                                [&](const MetStop& each) { return std::abs(each.time - time) <= rounding; });
   if (met == recorder.met().end()) return std::nullopt;
-  return recorder.stops()->at(met->stop);
+  if (recorder.stops() == nullptr || met->stop >= recorder.stops()->size()) return std::nullopt;
+  return (*recorder.stops())[met->stop];
 }
 
 }  // namespace carom

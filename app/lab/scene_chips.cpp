@@ -16,9 +16,9 @@
 namespace carom {
 namespace {
 
-// The impacts of the step that ends at the shown moment of the record.
+// The picked impact, or those of the step that ends at the shown moment of the record.
 QString impact_text(const LabRuns& runs) {
-  if (!runs.in_past() || !runs.there() || runs.frame()->playing) return {};
+  if (!(runs.in_past() || runs.picked()) || !runs.there() || runs.frame()->playing) return {};
   const Frame& shown = *runs.frame();
   const double rounding = kSameMoment * shown.method.step;
   const std::int64_t all = runs.newest().front()->impact_count;

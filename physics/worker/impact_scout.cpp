@@ -53,12 +53,18 @@ bool ImpactScout::follows(const LiveRun& run) const {
 }
 
 void ImpactScout::begin(const LiveRun& run) {
+  // After an edit of the run, what it has passed stays.
+  const bool goes_on = ahead_ && run.time() >= run_time_ && run.time() <= ahead_->time();
+  if (goes_on) {
+    impacts_.erase(std::upper_bound(impacts_.begin(), impacts_.end(), run.time()), impacts_.end());
+  } else {
+    impacts_.clear();
+    begun_ = run.time();
+  }
   ahead_.emplace(run.simulation().compiled(), run.simulation().run_state());
   ahead_->interrupt_on(run.interrupt());
   setup_ = run.shared_setup();
   ahead_->set_edits(setup_->edits);
-  begun_ = run.time();
-  impacts_.clear();
 }
 
 std::optional<KnownImpacts> ImpactScout::look(const LiveRun& run, double until, Clock::time_point deadline) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <optional>
 
 namespace carom {
 
@@ -26,13 +27,22 @@ class Pace {
     measured_time_ = time;
   }
   void set_speed(double speed) { speed_ = speed; }  // simulated seconds per second, > 0
-  // From `time` (s) on much slower than the chosen speed, or as fast again.
-  void slow_down(bool slow, double time, Clock::time_point now) {
-    if (slow == slow_) return;
-    begin(time, now);
-    slow_ = slow;
-  }
+  // Whether it goes much slower than the chosen speed.
   [[nodiscard]] bool slow() const { return slow_; }
+  // What a run at `time` is to go to, if `due` is due: no farther than `free`, from where on it goes slowly.
+  // Nothing: it does so from here on. Where it becomes slow, or as fast again, it stays where it is for this
+  // once.
+  [[nodiscard]] double due_near_impacts(std::optional<double> free, double time, double due,
+                                        Clock::time_point now) {
+    if (slow_ == free.has_value()) {
+      begin(time, now);
+      slow_ = !free;
+      return time;
+    }
+    if (!free || *free >= due) return due;
+    begin(*free, now);
+    return *free;
+  }
 
   // The run's time that is due now.
   [[nodiscard]] double due(Clock::time_point now) const { return time_ + seconds(now - wall_) * speed(); }

@@ -110,6 +110,7 @@ void Worker::post_begin(const std::function<void(Work&, const std::stop_token&)>
     interrupt_ = std::stop_source();
     commands_.push_back({[command, token = interrupt_.get_token()](Work& work) {
                            work.last.clear();
+                           work.scout.forget();
                            command(work, token);
                            work.stand_still();
                          },
@@ -484,15 +485,10 @@ double Worker::slower_near_impacts(Work& work, double due, std::chrono::steady_c
   const auto known = work.slows_near_impacts ? work.scout.look(run, due, now + kFramePeriod / 2) : std::nullopt;
   const std::optional<double> free =
       known ? free_until(*known, time, due, run.simulation().method().step) : due;
-  const bool slow = !free.has_value();
-  if (slow != work.pace.slow()) {
-    work.pace.slow_down(slow, time, now);
-    work.begin_measurement();
-    return time;
-  }
-  if (slow) return due;
-  if (*free < due) work.pace.begin(*free, now);
-  return *free;
+  const bool was_slow = work.pace.slow();
+  const double target = work.pace.due_near_impacts(free, time, due, now);
+  if (work.pace.slow() != was_slow) work.begin_measurement();
+  return target;
 }
 
 // One frame's work: recording what is recorded late, a replay, runs that lag, or playing.

@@ -88,7 +88,11 @@ TEST_F(LabStopsTest, AFlagAtTheFirstImpactRestartAndSpace) {
   press(Qt::Key_Space);
   ASSERT_TRUE(wait_stopped("1st impact"));
   EXPECT_NEAR(time(), 1.0 / 3.0, 1e-9) << "not rounded to a step";
-  EXPECT_EQ(window_.frame()->impact_count, 1);
+  EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
+  ASSERT_TRUE(runs().picked()) << "for its arrows and its table";
+  EXPECT_NEAR(*runs().picked(), 1.0 / 3.0, 1e-9);
+  ASSERT_FALSE(window_.frame()->jumps.empty());
+  EXPECT_EQ(window_.frame()->jumps.back()->time(), *runs().picked());
   EXPECT_NE(runs().scene(), nullptr) << "for edits";
   press(Qt::Key_Space);
   ASSERT_TRUE(wait_for([this] { return !window_.frame()->playing && time() > 0.98; }))
@@ -140,10 +144,37 @@ TEST_F(LabStopsTest, TheRecordMeetsThemAgain) {
   ASSERT_TRUE(wait_for([this] { return !window_.frame()->playing && time() > 0.98; }));
 }
 
-TEST_F(LabStopsTest, StepsLeaveTheMomentToTheEndsOfItsStep) {
+TEST_F(LabStopsTest, StepsLeadFromAnImpactAndBackToIt) {
   set_stops({"at the 1st impact"});
   press(Qt::Key_Space);
   ASSERT_TRUE(wait_stopped("1st impact"));
+  const State was = window_.frame()->state;
+  press(Qt::Key_Comma);
+  ASSERT_TRUE(wait_for([&] { return runs().there() && time() < 0.33 && !runs().stopped(); }));
+  press(Qt::Key_Period);
+  ASSERT_TRUE(wait_stopped("1st impact"));
+  EXPECT_TRUE(test::same_bytes(window_.frame()->state, was));
+}
+
+// Where two bodies touch at the end of a step is the end of that step.
+TEST_F(LabStopsTest, AnImpactAtAStepsEndIsPickedToo) {
+  Preset preset = window_.preset();
+  preset.method.impacts = ImpactsId::kStepEnd;
+  preset.stops = {stop_of("stop", "at the 1st impact")};
+  const std::string file = folder_.filePath("step-end.json").toStdString();
+  save_preset(preset, file);
+  ASSERT_TRUE(window_.open(file));
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_stopped("1st impact"));
+  EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
+  ASSERT_TRUE(runs().picked());
+  EXPECT_NEAR(*runs().picked(), time(), 1e-12);
+}
+
+TEST_F(LabStopsTest, StepsLeaveAMomentToTheEndsOfItsStep) {
+  set_stops({"at 0.503 s"});
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_stopped("0.503 s"));
   const double step = window_.frame()->method.step;
   const double before = std::floor(time() / step) * step;
   press(Qt::Key_Comma);

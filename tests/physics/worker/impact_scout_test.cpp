@@ -98,6 +98,23 @@ TEST(ImpactScout, FollowsAnEditOfTheRun) {
   EXPECT_FALSE(near_impact(scout.look(run, run.time(), soon()).value(), run.time()));
 }
 
+// A hand that pulls edits the run at every picture.
+TEST(ImpactScout, KeepsWhatARunHasPassedThatIsEdited) {
+  RunSetup setup = head_on();
+  setup.method.step = 0.002;
+  give_ids(setup.scene);
+  LiveRun run(setup, {}, ReferenceId::kNone);
+  ImpactScout scout;
+  while (run.time() < 0.52) {
+    static_cast<void>(scout.look(run, run.time(), soon()));
+    run.step();
+  }
+  run.edit({.time = run.time(), .what = SceneEdits{Remove<Body>{setup.scene.bodies[1].id}}});
+  EXPECT_TRUE(near_impact(scout.look(run, run.time(), soon()).value(), run.time()));
+  while (run.time() < 0.56) run.step();
+  EXPECT_FALSE(near_impact(scout.look(run, run.time(), soon()).value(), run.time()));
+}
+
 TEST(ImpactScout, KnowsNothingWhereItTakesTooLongAndPauses) {
   LiveRun run(head_on(), {}, ReferenceId::kNone);
   while (run.time() < 0.47) run.step();

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <gtest/gtest.h>
 #include <limits>
+#include <optional>
 
 // The pace of a run, at times that are made up.
 namespace carom {
@@ -32,18 +33,22 @@ TEST(Pace, AtSpeedTwoTakesHalfTheTime) {
   EXPECT_DOUBLE_EQ(seconds(pace.until(0.4, kBegin + 300ms)), -0.1);
 }
 
-TEST(Pace, IsMuchSlowerFromAMomentOn) {
+TEST(Pace, IsMuchSlowerNearImpacts) {
   Pace pace(kBegin);
   pace.set_speed(2.0);
   pace.begin(0.0, kBegin);
-  pace.slow_down(true, 0.4, kBegin + 200ms);
+  EXPECT_DOUBLE_EQ(pace.due_near_impacts(9.0, 0.3, 0.4, kBegin + 200ms), 0.4) << "far from any";
+  EXPECT_FALSE(pace.slow());
+  EXPECT_DOUBLE_EQ(pace.due_near_impacts(0.35, 0.3, 0.4, kBegin + 200ms), 0.35) << "up to where one is near";
+  EXPECT_DOUBLE_EQ(pace.due(kBegin + 200ms), 0.35);
+  EXPECT_DOUBLE_EQ(pace.due_near_impacts(std::nullopt, 0.35, 0.4, kBegin + 200ms), 0.35) << "it becomes slow";
   EXPECT_TRUE(pace.slow());
-  EXPECT_DOUBLE_EQ(pace.due(kBegin + 1200ms), 0.5);
-  EXPECT_NEAR(seconds(pace.until(0.5, kBegin + 200ms)), 1.0, 1e-8);
-  pace.slow_down(true, 9.0, kBegin + 1200ms);
-  EXPECT_DOUBLE_EQ(pace.due(kBegin + 1200ms), 0.5) << "it was so already";
-  pace.slow_down(false, 0.5, kBegin + 1200ms);
-  EXPECT_DOUBLE_EQ(pace.due(kBegin + 1300ms), 0.7);
+  EXPECT_DOUBLE_EQ(pace.due(kBegin + 1200ms), 0.45);
+  EXPECT_NEAR(seconds(pace.until(0.45, kBegin + 200ms)), 1.0, 1e-8);
+  EXPECT_DOUBLE_EQ(pace.due_near_impacts(std::nullopt, 0.4, 0.45, kBegin + 1200ms), 0.45);
+  EXPECT_DOUBLE_EQ(pace.due_near_impacts(9.0, 0.45, 0.45, kBegin + 1200ms), 0.45) << "and fast again";
+  EXPECT_FALSE(pace.slow());
+  EXPECT_DOUBLE_EQ(pace.due(kBegin + 1300ms), 0.65);
 }
 
 TEST(Pace, WaitsForALostRunNoLongerThanADay) {

@@ -102,6 +102,22 @@ TEST_F(WorkerUndo, AMethodIsTakenBackAndPutBack) {
   EXPECT_EQ(moment(0), with);
 }
 
+// What looks ahead of the run is not stopped with the run that was left.
+TEST_F(WorkerUndo, RunsThatComeBackPlayOnSlowlyNearImpacts) {
+  worker_.slow_near_impacts(true);
+  worker_.set_speed(100.0);
+  worker_.set_playing(true);
+  ASSERT_TRUE(wait([&] { return frames_[0]->time > 0.5; }));
+  const Worker::EditId kept = worker_.keep_runs();
+  worker_.restart(gas());
+  ASSERT_TRUE(wait([&] { return frames_[0]->time == 0.0; }));
+  worker_.return_to(kept, {kCurve}, ReferenceId::kNone);
+  ASSERT_TRUE(wait([&] { return frames_[0]->time > 0.5; }));
+  const double back = frames_[0]->time;
+  worker_.set_playing(true);
+  EXPECT_TRUE(wait([&] { return frames_[0]->time > back + 5.0; }));
+}
+
 TEST_F(WorkerUndo, ABodyIsTakenBackFromAllRunsAndPutBack) {
   run_to(1.0);
   const std::vector<Moment> never = {moment(0), moment(1)};
