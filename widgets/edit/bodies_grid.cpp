@@ -225,7 +225,6 @@ bool BodiesGrid::edit(const QModelIndex& index, EditTrigger trigger, QEvent* eve
 void BodiesGrid::begin(CellField* field, int row, int column) {
   field_ = field;
   edited_ = rows_->bodies()[static_cast<std::size_t>(row)].id;
-  connect(field, &QLineEdit::textEdited, this, [this] { say({}); });
   if (BodiesModel::is_of_motion(column))
     connect(field, &QLineEdit::textEdited, this, &BodiesGrid::pauseRequested);
   connect(field, &TypedField::refused, this, &BodiesGrid::say);

@@ -131,17 +131,21 @@ void Inspector::build_bar() {
   name_->setToolTip(tr("A name of its own"));
   name_->hide();
   name_->set_fault([this](const QString& name) {
+    if (bodies_.size() != 1) return QString();
     const std::string wanted = name.toStdString();
     const bool own = bodies_.front().name == wanted;
     return own || bodies_named(*scene_, {wanted}).empty() ? QString()
                                                           : tr("Another body is called %1.").arg(name);
   });
   connect(name_, &QLineEdit::textChanged, this, &Inspector::fit_name);
-  connect(name_, &QLineEdit::textEdited, this, [this] { say({}); });
-  connect(name_, &TypedField::dropped, this, &Inspector::say);
+  connect(name_, &TypedField::dropped, this, [this](const QString& sentence) {
+    say({});
+    set_line(name_fault_, sentence);
+  });
   connect(name_, &TypedField::refused, this,
           [this](const QString& sentence) { set_line(name_fault_, sentence); });
   connect(name_, &NameField::named, this, [this](const QString& name) {
+    if (bodies_.size() != 1) return;
     const NamedEdits renamed = renaming(bodies_.front(), name);
     say({});
     emit edited(renamed.edits, renamed.name, 0);
@@ -272,10 +276,15 @@ void Inspector::show_rows() {
   shown_part_.reset();
   if (part_) shown_part_ = inspected_part(*scene_, *part_);
   if (!shown_part_) part_.reset();
-  rows_ = rows();
+  std::vector<InspectedRow> next = rows();
+  QStringList layout = layout_of(next);
+  const bool alike = list_ != nullptr && layout == layout_;
+  // What is typed into a row that goes is not meant for the one that takes its place.
+  for (InspectorRow* row : alike ? std::vector<InspectorRow*>() : row_widgets_) row->restore();
+  rows_ = std::move(next);
   show_title();
   if (group_tools_ != nullptr) group_tools_->setVisible(bodies_.size() > 1);
-  if (QStringList layout = layout_of(rows_); layout != layout_ || list_ == nullptr) {
+  if (!alike) {
     layout_ = std::move(layout);
     const std::optional<Focused> focused = focused_field();
     build_rows();
@@ -293,13 +302,13 @@ void Inspector::show_title() {
   const QString kind = shown_part_ ? shown_part_->kind : QString();
   set_line(kind_, bodies_.size() == 1 ? shape_word(bodies_[0]) : kind);
   const bool one = bodies_.size() == 1;
-  name_->setVisible(one);
-  title_->setVisible(!one);
   if (one) {
     name_->show_text(QString::fromStdString(bodies_.front().name));
   } else {
-    name_->restore();
+    name_->restore();  // before it loses the focus, which would hand out what is typed
   }
+  name_->setVisible(one);
+  title_->setVisible(!one);
   back_->setVisible(shown_part_.has_value());
 }
 
@@ -362,7 +371,12 @@ InspectorRow* Inspector::add_row(const InspectedRow& row, int index) {
     say({});
     emit edited(made.edits, made.name, 0);
   });
-  connect(widget, &InspectorRow::dropped, this, &Inspector::say);
+  connect(widget, &InspectorRow::dropped, this, [this, widget](const QString& sentence) {
+    say({});
+    if (sentence.isEmpty()) return;
+    told_ = widget;
+    widget->say(sentence);
+  });
   connect(widget, &InspectorRow::opened, this, [this](const PartId part) { open(part); });
   connect(widget, &InspectorRow::stopsAsked, this, &Inspector::stopsAsked);
   connect(widget, &InspectorRow::folded, this, [this](const QString& list) { fold(list); });
@@ -416,6 +430,9 @@ void Inspector::say(const QString& sentence) {
     return;
   }
   if (!sentence.isEmpty()) restore();
+  if (told_) told_->say({});
+  told_ = nullptr;
+  set_line(name_fault_, {});
   set_line(sentence_, sentence);
 }
 

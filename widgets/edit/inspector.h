@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QHBoxLayout>
+#include <QPointer>
 #include <QWidget>
 #include <functional>
 #include <memory>
@@ -115,6 +116,7 @@ class Inspector : public QWidget {
   std::vector<InspectedRow> rows_;
   QStringList layout_;  // which rows are built
   std::vector<InspectorRow*> row_widgets_;
+  QPointer<InspectorRow> told_;  // which says why a text was dropped
   int burst_ = 0;
   std::vector<double> before_burst_;
   // A pull changes what there was at its beginning: a speed that comes from 0 again keeps its direction.

@@ -24,6 +24,8 @@ class InspectorRow : public QWidget {
   virtual void restore() {}
   // Why the values that a field is handing out could not be.
   virtual void refuse(int /*field*/, const QString& /*sentence*/) {}
+  // In red under the field.
+  void say(const QString& sentence);
   // All rows of one inspector give their labels the same width.
   [[nodiscard]] int label_width() const;
   void set_label_width(int width);
@@ -49,8 +51,6 @@ class InspectorRow : public QWidget {
 
   [[nodiscard]] QGridLayout* grid() const { return grid_; }
   [[nodiscard]] QLabel* label() const { return label_; }
-  // In red under the field.
-  void say(const QString& sentence);
   // The value of what is typed, there too.
   void show_value(const QString& text);
   // Does what a button of the row is for, or says why not.

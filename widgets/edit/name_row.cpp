@@ -14,7 +14,6 @@ NameRow::NameRow(const InspectedRow& row, QWidget* parent)
   grid()->addWidget(field_, 0, 1, 1, kColumns);
   grid()->setColumnStretch(1, 1);
   connect(field_, &NameField::named, this, [this](const QString& name) { emit edited(named_.edits(name)); });
-  connect(field_, &QLineEdit::textEdited, this, [this] { emit dropped({}); });
   connect(field_, &TypedField::refused, this, &NameRow::say);
   connect(field_, &TypedField::dropped, this, &NameRow::dropped);
   show_row(row);

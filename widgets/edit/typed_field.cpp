@@ -7,6 +7,7 @@ namespace carom {
 
 TypedField::TypedField(QWidget* parent) : QLineEdit(parent) {
   connect(this, &QLineEdit::textEdited, this, [this](const QString& text) {
+    emit dropped({});
     const QString fault = early_fault(text);
     set_fault(fault);
     set_value(fault.isEmpty() ? value_of(text) : QString());

@@ -30,7 +30,7 @@ class TypedField : public QLineEdit {
   void refused(const QString& sentence);
   // The value of the formula that is typed, "= 3.96 m/s"; empty: there is none, or none any more.
   void valued(const QString& text);
-  // The field was left with a text that can't be taken.
+  // The field was left with a text that can't be taken; empty: another one is typed now.
   void dropped(const QString& sentence);
 
  protected:
