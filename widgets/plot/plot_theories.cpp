@@ -54,15 +54,15 @@ void PlotTheories::update_from(const Recorder& recorder, const QwtInterval& time
   }
 }
 
-QwtInterval PlotTheories::spread(const QwtInterval& x, const QwtInterval& measured) const {
+QwtInterval PlotTheories::spread(const QwtInterval& x, const QwtInterval& measured, bool begun) const {
   QwtInterval all = measured;
   if (!shown_ || !x.isValid()) return all;
   const double low = measured.minValue() - measured.width();
   const double high = measured.maxValue() + measured.width();
   for (const auto& [curve, item] : curves_) {
-    const QwtInterval theory = item->spread(x);
+    const QwtInterval theory = begun ? item->spread(x) : item->usual_spread(x);
     if (!theory.isValid()) continue;
-    if (!measured.isValid()) {
+    if (!measured.isValid() || !begun) {
       all |= theory;
       continue;
     }

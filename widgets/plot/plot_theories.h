@@ -30,8 +30,8 @@ class PlotTheories {
   void set_theme(const Theme& theme);
   void update_from(const Recorder& recorder, const QwtInterval& time);
   // The range of the value axis that includes them over `x` beside the measured range: at most its height more
-  // on either side, since a closed form may diverge.
-  [[nodiscard]] QwtInterval spread(const QwtInterval& x, const QwtInterval& measured) const;
+  // on either side, since a closed form may diverge. Before the run has begun: most of what they will show.
+  [[nodiscard]] QwtInterval spread(const QwtInterval& x, const QwtInterval& measured, bool begun) const;
   // Name and line of the visible ones.
   [[nodiscard]] std::vector<std::pair<QString, QPen>> legend() const;
 

@@ -337,7 +337,8 @@ void RunPlot::update_from(const std::vector<PlottedRun>& runs, bool hold) {
   }
   if (const QwtInterval pale = before_->spread(); pale.isValid()) spread |= pale;
   if (const QwtInterval pale = before_->x_spread(); pale.isValid()) x_spread |= pale;
-  spread = theories_->spread(over_time() ? time_range_ : x_spread, spread);
+  const bool begun = x_spread.width() > 0.0;
+  spread = theories_->spread(over_time() ? time_range_ : x_spread, spread, begun);
   const double scale = content_.scale == nullptr ? 0.0 : scales.*content_.scale;
   axes_->fit_values(spread, {content_.rounding.zero * scale, content_.rounding.range * scale});
   if (!over_time() && x_spread.isValid()) axes_->fit_x(x_spread);

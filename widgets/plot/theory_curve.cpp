@@ -1,6 +1,7 @@
 #include "widgets/plot/theory_curve.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <qwt_clipper.h>
@@ -124,18 +125,33 @@ void TheoryCurve::take(const Series<2>& path, const QwtInterval& time) {
   for (const SeriesPoint<2>& p : read) points_.emplace_back(p.value[1], shown(formula_(p.at, p.value[1])));
 }
 
-QwtInterval TheoryCurve::spread(const QwtInterval& x) const {
+std::vector<double> TheoryCurve::values(const QwtInterval& x) const {
   constexpr int kParts = 200;
-  QwtInterval spread;
-  const auto take = [&spread](double y) {
-    if (std::isfinite(y)) spread |= y;
+  std::vector<double> all;
+  const auto take = [&all](double y) {
+    if (std::isfinite(y)) all.push_back(y);
   };
   if (needs_path()) {
     for (const QPointF& p : points_) take(p.y());
-    return spread;
+  } else {
+    for (int i = 0; i <= kParts; ++i) take(value(x.minValue() + x.width() * i / kParts));
   }
-  for (int i = 0; i <= kParts; ++i) take(value(x.minValue() + x.width() * i / kParts));
-  return spread;
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+QwtInterval TheoryCurve::spread(const QwtInterval& x) const {
+  const std::vector<double> all = values(x);
+  return all.empty() ? QwtInterval() : QwtInterval(all.front(), all.back());
+}
+
+QwtInterval TheoryCurve::usual_spread(const QwtInterval& x) const {
+  constexpr std::size_t kShare = 20;  // one in so many values is left out at either end
+  const std::vector<double> all = values(x);
+  if (all.empty()) return {};
+  const double low = all[all.size() / kShare];
+  const double high = all[all.size() - 1 - all.size() / kShare];
+  return {std::max(all.front(), low - (high - low)), std::min(all.back(), high + (high - low))};
 }
 
 std::vector<QPolygonF> TheoryCurve::pieces(const QwtScaleMap& x, const QwtScaleMap& y,

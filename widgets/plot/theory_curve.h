@@ -25,6 +25,8 @@ class TheoryCurve : public QwtPlotItem {
   [[nodiscard]] bool needs_path() const { return over_x_ && formula_.uses_t(); }
   // Values over the range `x`.
   [[nodiscard]] QwtInterval spread(const QwtInterval& x) const;
+  // Those of nine tenths of the range, and at most their height more on either side: a pole is left out.
+  [[nodiscard]] QwtInterval usual_spread(const QwtInterval& x) const;
 
   [[nodiscard]] int rtti() const override { return Rtti_PlotUserItem; }
   void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const override;
@@ -35,6 +37,7 @@ class TheoryCurve : public QwtPlotItem {
  private:
   [[nodiscard]] double value(double at) const;
   [[nodiscard]] double shown(double value) const;
+  [[nodiscard]] std::vector<double> values(const QwtInterval& x) const;  // finite ones, ascending
 
   Expression formula_;
   bool over_x_;

@@ -130,6 +130,27 @@ TEST_F(PlotTheory, IsInTheLegendAndCanBeHidden) {
   EXPECT_GE(panel.plots()[0]->value_range().maxValue(), 0.0);
 }
 
+// So that nothing has to be guessed before the first run.
+TEST_F(PlotTheory, IsWholeBeforeTheRunHasBegun) {
+  const auto range_with = [this](const char* theory) {
+    Plot other = plot;
+    other.y[0].theory = theory;
+    panel.set_plots({other}, preset.scene.bodies);
+    recorder->clear();
+    recorder->add(run_to(preset, 0.0, panel.curves()));
+    panel.update_from({{recorder, "run"}});
+    QApplication::processEvents();
+    return panel.plots()[0]->value_range();
+  };
+  const QwtInterval wave = range_with("5*sin(20*t)");
+  EXPECT_LE(wave.minValue(), -5.0);
+  EXPECT_GE(wave.maxValue(), 5.0);
+  EXPECT_LE(wave.width(), 20.0);
+  const QwtInterval pole = range_with("1/(t - 0.4999)");
+  EXPECT_LE(pole.width(), 200.0) << "not the whole of it";
+  EXPECT_GE(pole.maxValue(), 10.0);
+}
+
 TEST_F(PlotTheory, IsShownUnderTheMouse) {
   panel.plots()[0]->set_cursor(0.1);
   bool told = false;
