@@ -20,6 +20,7 @@
 #include "widgets/scene/join_shapes.h"
 #include "widgets/scene/scene_parts.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/scene/typed_overlap.h"
 
 // What the window edits by hand: the scene view, the inspector and the table say what, the session does it.
 namespace carom {
@@ -84,6 +85,7 @@ void LabWindow::connect_edits() {
   connect(&session_, &Session::documentChanged, this, [this] {
     inspector_->say({});
     sheet_->forget_faults();
+    if (std::exchange(said_of_edit_, {}) == said_) said_.clear();
   });
   connect(view_, &SceneView::selectionChanged, this, &LabWindow::forget_refusal);
   connect(view_, &SceneView::partChosen, this, &LabWindow::forget_refusal);
@@ -149,10 +151,13 @@ void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int dr
     return;
   }
   const AllowedMotion allowed = allowed_motion(*scene, placed.edits);
-  const QString sentence = placed.sentence.isEmpty() ? allowed.sentence : placed.sentence;
+  QString sentence = placed.sentence.isEmpty() ? allowed.sentence : placed.sentence;
+  if (sentence.isEmpty()) sentence = typed_overlap(*scene, allowed.edits);
   const std::uint64_t before = session_.revision();
   session_.edit(allowed.edits, allowed.sentence.isEmpty() ? name : allowed.name, drag);
-  if (!sentence.isEmpty() && session_.revision() != before) say_for_a_while(sentence);
+  if (sentence.isEmpty() || session_.revision() == before) return;
+  said_of_edit_ = sentence;
+  say_for_a_while(sentence);
 }
 
 void LabWindow::show_selection() {

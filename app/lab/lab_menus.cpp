@@ -172,7 +172,9 @@ void LabWindow::add_toggles(QMenu* view) {
 
 void LabWindow::make_view_menu() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  list_action_ = add_action(view, "", tr("&Experiments"), QKeySequence(Qt::Key_E), [] {});
+  list_action_ = add_action(view, "", tr("&Experiments"), QKeySequence(Qt::Key_E), [this] {
+    if (!list_action_->isCheckable()) list_->begin_search();
+  });
   list_action_->setCheckable(true);
   connect(list_action_, &QAction::toggled, this, &LabWindow::open_list);
   add_action(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->find(); });
@@ -185,7 +187,11 @@ void LabWindow::make_view_menu() {
   QAction* slow = add_action(view, "", tr("&Slow near impacts"), QKeySequence(Qt::SHIFT | Qt::Key_I), [] {});
   slow->setCheckable(true);
   slow->setToolTip(tr("A twentieth of the speed from 50 ms before an impact to 50 ms after it (Shift+I)"));
-  connect(slow, &QAction::toggled, this, [this](bool on) { session_.runs().slow_near_impacts(on); });
+  connect(slow, &QAction::toggled, this, [this](bool on) {
+    session_.runs().slow_near_impacts(on);
+    chips_->say_slower(on);
+    chips_->show_time(session_.runs());
+  });
   view->addSeparator();
   inspector_action_ = add_action(view, "", tr("&Inspector"), QKeySequence(Qt::Key_I), [] {});
   inspector_action_->setCheckable(true);

@@ -228,6 +228,7 @@ class LabWindow : public QMainWindow {
   std::vector<std::string> to_select_;  // new bodies that no frame has shown yet
   QString lost_;                        // its text; empty while no run is lost
   QString said_;                        // for a while
+  QString said_of_edit_;                // what of that is about the last edit
   MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
   bool theme_chosen_ = false;  // by the user

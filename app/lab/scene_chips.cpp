@@ -136,6 +136,8 @@ void SceneChips::show_time(const LabRuns& runs) {
       speed += tr(", slow near an impact");
     } else if (lags) {
       speed += tr(", runs at ×%1").arg(frame->realised_speed, 0, 'g', 2);
+    } else if (slows_) {
+      speed += tr(", slower near impacts");
     }
   } else {
     time_->setText("t = …");
@@ -199,7 +201,7 @@ void SceneChips::place() {
   row_->adjustSize();
   row_->move(kEdge, kEdge);
   row_->raise();
-  const QString told = tool_text_.isEmpty() ? hint_ : tool_text_;
+  const QString told = hint_.isEmpty() ? tool_text_ : hint_;
   const int room = view_.width() - row_->width() - 4 * kEdge;
   tool_->setText(tool_->fontMetrics().elidedText(told, Qt::ElideRight, room));
   tool_->setToolTip(plain_tip(told));

@@ -24,6 +24,8 @@ class SceneChips : public QObject {
   // The tool in hand and what it does; empty: it is the usual one, and what the mouse can do is told.
   void show_tool(const QString& text);
   void show_time(const LabRuns& runs);
+  // With the speed: whether playing will be slower near impacts.
+  void say_slower(bool slower) { slows_ = slower; }
   // Names the start for as long as it is a moment of the run before.
   void show_start(const StartOrigin& start);
   [[nodiscard]] QPushButton* start_chip() { return start_; }
@@ -49,6 +51,7 @@ class SceneChips : public QObject {
   QLabel* tool_;
   QLabel* position_;
   QString status_text_, tool_text_, hint_;
+  bool slows_ = false;
 };
 
 }  // namespace carom

@@ -140,8 +140,9 @@ AllowedPlace allowed_place(const Scene& scene, const SceneEdits& edits) {
     const Body* was = replace == nullptr ? nullptr : part_of(scene.bodies, replace->part.id);
     const Body* held = was == nullptr ? nullptr : named(kept.bodies, was->name);
     if (held == nullptr) continue;
-    const std::string name = std::exchange(replace->part, *held).name;
-    replace->part.name = name;
+    const Body typed = std::exchange(replace->part, *held);
+    replace->part.name = typed.name;
+    if (typed.velocity != was->velocity) replace->part.velocity = typed.velocity;
   }
   for (std::size_t i = moves.before.size(); i < kept.bodies.size(); ++i)
     out.edits.emplace_back(Replace<Body>{kept.bodies[i]});

@@ -1,6 +1,7 @@
 #include "widgets/scene/drag_limits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "widgets/scene/corner_drag.h"
@@ -84,18 +85,39 @@ void refit(std::span<const Hold> holds, const DragPoint& point, Dragged& dragged
   hold_velocities(dragged.bodies, holds);
 }
 
+// rad, by which a body that one rod alone holds goes round its other end; nothing for other holds.
+std::optional<double> turn_about(const Hold& hold, std::span<const Hold> holds, const Body& from,
+                                 const Body& to) {
+  const auto holds_it = [&hold](const Hold& other) { return other.body == hold.body; };
+  if (hold.moves.size() > 1 || std::count_if(holds.begin(), holds.end(), holds_it) > 1) return std::nullopt;
+  if (hold.joint.kind != JointKind::kRod) return std::nullopt;
+  const Vec2 before = from.position + turned_by(from.angle, hold.point) - hold.anchor;
+  const Vec2 after = to.position + turned_by(to.angle, hold.point) - hold.anchor;
+  return std::atan2(cross(before, after), before.dot(after));
+}
+
+// A bob that is moved keeps its speed along its circle.
+void turn_velocities(const DragStart& start, std::span<const Hold> holds, std::vector<Body>& bodies) {
+  const std::vector<Body> before = all_bodies(start);
+  for (const Hold& hold : holds) {
+    const Body& from = before[hold.body];
+    Body& to = bodies[hold.body];
+    if (const auto turn = turn_about(hold, holds, from, to))
+      to.velocity = hold.velocity + turned_by(*turn, from.velocity - hold.velocity);
+  }
+  hold_velocities(bodies, holds);
+}
+
 void hold_by_joints(const DragStart& start, std::span<const Hold> holds, const DragPoint& point,
                     Dragged& dragged) {
   const auto broken =
       std::find_if(holds.begin(), holds.end(), [&](const Hold& hold) { return !keeps(hold, dragged.bodies); });
-  if (broken == holds.end()) {
-    hold_velocities(dragged.bodies, holds);
-    return;
-  }
+  if (broken == holds.end()) return turn_velocities(start, holds, dragged.bodies);
   if (ctrl(point)) return refit(holds, point, dragged);
   const auto bodies = held(all_bodies(start), dragged.bodies, holds, start.press);
   if (!bodies) return block(start, *broken, point, dragged);
   dragged.bodies = *bodies;
+  turn_velocities(start, holds, dragged.bodies);
   dragged.guides.clear();
   say_value(start, point, dragged);
   dragged.detail = name_of(*broken) + " holds it. Ctrl: the joint gives way.";
@@ -170,7 +192,9 @@ std::optional<std::vector<Body>> parted(const DragStart& start, std::span<const 
   if (holds.empty()) return out;
   const bool kept =
       out && std::all_of(holds.begin(), holds.end(), [&](const Hold& h) { return keeps(h, *out); });
-  return kept ? out : backed_off(start, bodies, surroundings, holds);
+  if (!kept) out = backed_off(start, bodies, surroundings, holds);
+  if (out) turn_velocities(start, holds, *out);
+  return out;
 }
 
 // A corner on its straight way from where it was, the last place before the overlaps.

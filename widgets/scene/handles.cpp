@@ -83,14 +83,14 @@ void add_spin(const Body& body, const Camera& camera, std::vector<Handle>& handl
   handles.push_back({HandleKind::kSpin, 0, arc.way.last(), std::nullopt, arc});
 }
 
-void add_knob(const Body& body, const Camera& camera, bool arrow, std::vector<Handle>& handles) {
+void add_knob(const Body& body, const Camera& camera, bool arrow, double turned, std::vector<Handle>& handles) {
   const QPointF centre = camera.to_screen(body.position);
-  const Vec2 half = half_extent(body.shape, body.angle) * camera.scale;
+  const Vec2 half = half_extent(body.shape, body.angle - turned) * camera.scale;
   const double reach = half.allFinite() ? half.y() : 0.0;
   // Below where an arrow points up, or the view ends.
   const bool arrow_up = arrow && body.velocity.y() > kSteepArrow * body.velocity.norm();
   const bool below = arrow_up || centre.y() - reach - kGap - kStem < kHandleReach;
-  const QPointF side(0.0, below ? 1.0 : -1.0);
+  const QPointF side = (below ? 1.0 : -1.0) * QPointF(std::sin(turned), std::cos(turned));
   handles.push_back({HandleKind::kTurn, 0, centre + (reach + kGap + kStem) * side, centre + reach * side});
 }
 
@@ -174,7 +174,7 @@ Vec2 side_of(HandleKind kind) {
 }
 
 std::vector<Handle> handles_of(std::span<const Body> bodies, const Camera& camera,
-                               std::optional<double> arrow_seconds) {
+                               std::optional<double> arrow_seconds, double turned) {
   std::vector<Handle> handles;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (arrow_seconds && !has_infinite_mass(bodies[i])) {
@@ -184,7 +184,7 @@ std::vector<Handle> handles_of(std::span<const Body> bodies, const Camera& camer
   if (bodies.size() == 1) {
     const bool arrow = !handles.empty();
     if (arrow) add_spin(bodies[0], camera, handles);
-    add_knob(bodies[0], camera, arrow, handles);
+    add_knob(bodies[0], camera, arrow, turned, handles);
     add_sizes(bodies[0], camera, handles);
   }
   return handles;
@@ -192,11 +192,13 @@ std::vector<Handle> handles_of(std::span<const Body> bodies, const Camera& camer
 
 std::optional<Handle> handle_at(std::span<const Handle> handles, const QPointF& at) {
   std::optional<Handle> nearest;
-  double distance = kHandleReach;
+  double least = kHandleReach;
   for (const Handle& handle : handles) {
-    const double d = QLineF(handle.at, at).length();
-    if (d > distance) continue;
-    distance = d;
+    // An arrow's tip is taken before a handle that lies over it.
+    const double favour = handle.kind == HandleKind::kVelocity ? 0.5 * kHandleReach : 0.0;
+    const double distance = QLineF(handle.at, at).length();
+    if (distance > kHandleReach || distance - favour > least) continue;
+    least = distance - favour;
     nearest = handle;
   }
   return nearest;

@@ -55,9 +55,10 @@ inline constexpr double kLongestArc = 330.0;
 
 // The handles around these bodies, which stand and move as stated: of each that moves freely the tip of its
 // velocity if `arrow_seconds` (m of arrow per m/s) is given; of a single one also the grip
-// of its spin, a knob to turn it, and those of its size.
+// of its spin, a knob to turn it, and those of its size. The knob stands above the body, or below; while the
+// body is turned it goes along, by the angle (rad) of this turn.
 [[nodiscard]] std::vector<Handle> handles_of(std::span<const Body> bodies, const Camera& camera,
-                                             std::optional<double> arrow_seconds);
+                                             std::optional<double> arrow_seconds, double turned = 0.0);
 // The nearest one that the mouse reaches.
 [[nodiscard]] std::optional<Handle> handle_at(std::span<const Handle> handles, const QPointF& at);
 

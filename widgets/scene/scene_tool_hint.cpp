@@ -37,12 +37,12 @@ QString SceneTools::hint(const QPointF& at) const {
   if (state_ == State::kHand) return tr("let go: throw it");
   if (state_ == State::kEnd) return tr("to a body or a place · Ctrl: no snapping · Esc: back");
   if (state_ == State::kBand) return tr("Shift: add · Ctrl: take away · Esc: back");
-  if (state_ == State::kDraw)
-    return tr("Shift: in line · Ctrl: no snapping · digits: type the value · Esc: back");
-  if (tool_ != SceneTool::kSelect) return {};
+  if (state_ == State::kDraw) return {};  // the tool's own words hold
+  // With a tool in hand a body is taken hold of as ever, where the tool leaves it alone.
+  const std::optional<Grab> grab = grab_at(at);
+  if (tool_ != SceneTool::kSelect && !grab) return {};
   if (end_under(at)) return tr("drag: to another body or place");
   if (mark_under(at)) return tr("click: go to this impact");
-  const std::optional<Grab> grab = grab_at(at);
   if (!grab && part_under(at)) return tr("click: select · right click: menu");
   if (!grab) return tr("drag: select bodies · right drag: pan · wheel: zoom");
   if (!sight.frame->scene) {

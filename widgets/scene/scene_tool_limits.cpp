@@ -117,6 +117,12 @@ void SceneTools::find_kept_overlaps() {
   std::vector<Body> bodies;
   for (int i = 0; i < body_count(*frame); ++i) bodies.push_back(body_now(*frame, i));
   kept_ = overlaps_among(bodies, frame->scene->joints);
+  // More signs would hide the scene, as those of a pile whose method lets each contact overlap a little.
+  constexpr std::ptrdiff_t kMostSigns = 12;
+  if (std::ssize(kept_) <= kMostSigns) return;
+  std::partial_sort(kept_.begin(), kept_.begin() + kMostSigns, kept_.end(),
+                    [](const Overlap& a, const Overlap& b) { return a.depth > b.depth; });
+  kept_.resize(kMostSigns);
 }
 
 void SceneTools::show_kept_overlaps(Overlay& out) const {

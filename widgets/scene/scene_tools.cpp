@@ -181,8 +181,10 @@ std::vector<Handle> SceneTools::handles(const SceneSight& sight) const {
   // With another tool in hand none takes the press.
   if (tool_ != SceneTool::kSelect || !sight.frame || !sight.frame->scene) return {};
   const std::vector<Body> bodies = selected_now();
-  std::vector<Handle> handles =
-      handles_of(bodies, sight.camera, sight.velocities ? std::optional(sight.arrow_seconds) : std::nullopt);
+  const bool turns = state_ == State::kDrag && grab_->kind == HandleKind::kTurn && bodies.size() == 1;
+  const double turned = turns ? bodies.front().angle - start_.bodies.front().angle : 0.0;
+  std::vector<Handle> handles = handles_of(
+      bodies, sight.camera, sight.velocities ? std::optional(sight.arrow_seconds) : std::nullopt, turned);
   std::erase_if(handles, [&](const Handle& handle) { return locked_.contains(bodies[handle.body].name); });
   return handles;
 }

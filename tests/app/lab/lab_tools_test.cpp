@@ -60,6 +60,12 @@ TEST_F(LabToolsTest, TheLineAtTheTopSaysWhatTheMouseCanDo) {
   EXPECT_TRUE(hint().startsWith("drag: move")) << hint().toStdString();
   hover({0.5, 0.5});
   EXPECT_TRUE(hint().startsWith("drag: select bodies")) << hint().toStdString();
+  key(Qt::Key_D);
+  hover({-1.0, 0.05});
+  EXPECT_TRUE(hint().startsWith("drag: move")) << hint().toStdString();
+  hover({0.5, 0.5});
+  EXPECT_TRUE(hint().startsWith("Disc, once")) << hint().toStdString();
+  key(Qt::Key_Escape);
   key(Qt::Key_Space);
   ASSERT_TRUE(wait_for([this] { return window_.frame()->playing && window_.frame()->time > 0.0; }));
   hover({-1.0, 0.06});

@@ -2,6 +2,7 @@
 
 #include <QLineF>
 #include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -59,6 +60,19 @@ TEST_F(HandlesTest, TheKnobLeavesTheArrowItsPlace) {
   EXPECT_LT(of(handles({disc_}), HandleKind::kTurn).at.y(), 150.0);
   disc_.velocity = Vec2(0.0, 2.0);
   EXPECT_GT(of(handles({disc_}), HandleKind::kTurn).at.y(), 250.0);
+}
+
+TEST_F(HandlesTest, TheKnobGoesAlongWithATurn) {
+  Body box = disc_;
+  box.shape = Box{1.0, 0.4};
+  const QPointF before = of(handles_of(std::array{box}, camera_, std::nullopt), HandleKind::kTurn).at;
+  box.angle = std::numbers::pi / 2.0;
+  const Handle knob = of(handles_of(std::array{box}, camera_, std::nullopt, box.angle), HandleKind::kTurn);
+  const QPointF centre(420.0, 200.0);
+  const double reach = centre.y() - before.y();
+  EXPECT_NEAR(knob.at.x(), centre.x() - reach, 1e-9) << "counter-clockwise from the top";
+  EXPECT_NEAR(knob.at.y(), centre.y(), 1e-9);
+  EXPECT_NEAR(knob.foot->x(), centre.x() - 20.0, 1e-9) << "from the side that was on top";
 }
 
 TEST_F(HandlesTest, SeveralBodiesHaveVelocitiesOnly) {

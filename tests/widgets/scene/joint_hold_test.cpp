@@ -57,6 +57,16 @@ TEST(JointHold, ABobSwingsOnItsCircle) {
   }
 }
 
+TEST(JointHold, ABobKeepsItsSpeedAlongItsCircle) {
+  DragStart start = start_of(disc_at("A", 0.0, -0.5), joint_of(JointKind::kRod, "A", "", {0.0, 0.0}));
+  start.bodies[0].velocity = Vec2(2.0, 0.0);
+  for (const Vec2& to : {Vec2(0.3, -0.4), Vec2(-0.5, 0.0), Vec2(0.9, 0.2)}) {
+    const Body bob = drag(start, to).bodies[0];
+    const Vec2 along = crossed(bob.position.normalized());
+    EXPECT_NEAR((bob.velocity - 2.0 * along).norm(), 0.0, 1e-12) << to.transpose();
+  }
+}
+
 // What nothing holds goes where it is dragged, at its own velocity, though another of the bodies is held.
 // Bodies that a rod couples move as one.
 TEST(JointHold, OfSeveralBodiesOnlyTheHeldOnesAreHeld) {
