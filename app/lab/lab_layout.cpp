@@ -79,7 +79,7 @@ void LabWindow::place_list() {
   auto* row = static_cast<QHBoxLayout*>(all->layout());
   const bool pinned = width() >= kPinnedFrom;
   const bool was_pinned = row->indexOf(list_) >= 0;
-  list_action_->setVisible(!pinned);
+  list_action_->setCheckable(!pinned);  // there it stays, and its search is gone to
   name_in_bar_->setVisible(!pinned);
   list_->set_over(!pinned);
   list_->setFixedWidth(pinned ? kListWidth : kOpenListWidth);
@@ -201,6 +201,7 @@ void LabWindow::connect_views() {
   });
   connect(list_, &ExperimentList::openRequested, files_, [this](const QString& name) {
     list_action_->setChecked(false);
+    view_->setFocus();  // a list that stays had it
     files_->open(name.toStdString());
   });
   connect(list_, &ExperimentList::previewRequested, this, &LabWindow::preview);

@@ -127,7 +127,8 @@ void BeforeAfterPanel::show_this(const Shown& run) {
   if (const auto moment = impact_of_step(run.shown, run.picked)) return show_impact(moment, run);
   const bool is_newest = run.shown.time >= run.newest.time;
   if (is_newest && !run.newest.jumps.empty()) return show_impact(run.newest.jumps.back(), run);
-  show_nothing(is_newest ? tr("no impact so far") : tr("no impact at this moment: PgUp goes to the last one"));
+  show_nothing(is_newest ? tr("no impact so far")
+                         : tr("no impact at this moment: PgUp goes to the last one, PgDn to the next"));
 }
 
 void BeforeAfterPanel::show_impact(const std::shared_ptr<const JumpMoment>& moment, const Shown& run) {

@@ -290,6 +290,23 @@ void ExperimentList::fill() {
     none->setFlags(Qt::NoItemFlags);
   }
   set_current(current_);
+  if (!words.isEmpty()) mark_best(words);
+}
+
+// What Enter opens: of the experiments that are found, the first one whose title has all words, else the first.
+void ExperimentList::mark_best(const QStringList& words) {
+  QListWidgetItem* best = nullptr;
+  for (int row = 0; row < list_->count(); ++row) {
+    QListWidgetItem* item = list_->item(row);
+    if (item->data(kName).toString().isEmpty()) continue;
+    const QString title = item->data(kTitle).toString();
+    const bool titled = std::all_of(words.begin(), words.end(), [&title](const QString& word) {
+      return title.contains(word, Qt::CaseInsensitive);
+    });
+    if (best == nullptr || titled) best = item;
+    if (titled) break;
+  }
+  list_->setCurrentItem(best);
 }
 
 }  // namespace carom

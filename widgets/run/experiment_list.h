@@ -55,6 +55,7 @@ class ExperimentList : public QFrame {
  private:
   void choose_next(int way);  // 1: downwards, -1: upwards
   void fill();
+  void mark_best(const QStringList& words);
 
   Theme theme_;
   QLineEdit* search_;

@@ -119,7 +119,6 @@ TEST_F(LabWindowTest, TheListOpensOverTheSceneAndCloses) {
   EXPECT_EQ(list()->item(0)->flags(), Qt::NoItemFlags) << "it says that there is none";
   search->clear();
   QTest::keyClicks(search, "glancing");
-  QTest::keyClick(search, Qt::Key_Down);
   QTest::keyClick(search, Qt::Key_Return);
   EXPECT_EQ(search->text(), "") << "the next search begins anew";
   ASSERT_TRUE(wait_for([this] { return window_.session().name() == "glancing"; }));
@@ -132,8 +131,26 @@ TEST_F(LabWindowTest, TheListOpensOverTheSceneAndCloses) {
   EXPECT_TRUE(experiments->isVisible());
   QTest::keyClick(search, Qt::Key_Escape);
   EXPECT_TRUE(experiments->isVisible());
+  for (int i = 0; i < 2; ++i) {
+    window_.scene_view().setFocus();
+    QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+    EXPECT_EQ(QApplication::focusWidget(), search) << "E goes to its search";
+    EXPECT_TRUE(experiments->isVisible());
+  }
   window_.resize(1300, 800);
   EXPECT_FALSE(experiments->isVisible());
+}
+
+// Others that speak of the words stand before it in the list.
+TEST_F(LabWindowTest, EnterOpensTheExperimentWhoseTitleIsTyped) {
+  auto* search = window_.findChild<ExperimentList*>()->findChild<QLineEdit*>();
+  for (const auto& [words, name] : {std::pair("pile on", "pile"), std::pair("one ball", "ball-in-a-box")}) {
+    QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+    QTest::keyClicks(search, words);
+    ASSERT_NE(list()->currentItem(), nullptr) << "it is marked";
+    QTest::keyClick(search, Qt::Key_Return);
+    EXPECT_TRUE(wait_for([&, name = name] { return window_.session().name() == name; })) << words;
+  }
 }
 
 // The scene follows the mark; Escape brings the experiment before back.
