@@ -18,7 +18,7 @@
 namespace carom {
 namespace {
 
-constexpr int kRowHeight = 26;  // px
+constexpr int kRowHeight = 22;  // px
 constexpr int kInset = 5;       // px, of a cell's text
 
 // In quotes where the table needs them.

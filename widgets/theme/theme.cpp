@@ -128,7 +128,7 @@ QPushButton:disabled, QPushButton:default:disabled { background: %1; color: %5; 
 QListView, QTreeView, QTableView, QTextBrowser { background: %2; border: none; outline: none;
   selection-background-color: %7; selection-color: %4; alternate-background-color: %2; gridline-color: %3; }
 QHeaderView { background: %2; }
-QHeaderView::section { background: %2; color: %5; border: none; border-bottom: 1px solid %3; padding: 5px 5px;
+QHeaderView::section { background: %2; color: %5; border: none; border-bottom: 1px solid %3; padding: 3px 5px;
   font-size: 11px; font-weight: normal; }
 QHeaderView::down-arrow { image: url(:/icons/down.svg); width: 9px; height: 9px; subcontrol-position: top center; }
 QHeaderView::up-arrow { image: url(:/icons/up.svg); width: 9px; height: 9px; subcontrol-position: top center; }
