@@ -31,14 +31,22 @@ enum DragSource { kOfScene = 1, kOfInspector = 2, kSources = 3 };
 
 int drag_of(DragSource source, int drag) { return drag > 0 ? kSources * drag + source : 0; }
 
+// The disc that a tool has drawn; nullptr: something else was done.
+const Body* drawn_disc(const SceneEdits& edits) {
+  const auto* added = edits.size() == 1 ? std::get_if<Add<Body>>(&edits[0]) : nullptr;
+  return added != nullptr && std::holds_alternative<Disc>(added->part.shape) ? &added->part : nullptr;
+}
+
 }  // namespace
 
 void LabWindow::connect_edits() {
   connect(view_, &SceneView::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
+    const Body* disc = session_.runs().at_start() ? nullptr : drawn_disc(edits);
+    if (disc != nullptr) return drop(disc->position, std::get<Disc>(disc->shape).radius);
     select_drawn(edits);
     session_.edit(edits, name, drag_of(kOfScene, drag));
   });
-  connect(view_, &SceneView::spawnRequested, this, &LabWindow::spawn);
+  connect(view_, &SceneView::spawnRequested, this, [this](double x, double y) { drop({x, y}, std::nullopt); });
   connect(view_, &SceneView::pulled, &session_.hand(), &HandEdits::pull);
   connect(view_, &SceneView::letGo, &session_.hand(), &HandEdits::let_go);
   connect(view_, &SceneView::pauseRequested, this, [this] { session_.runs().set_playing(false); });
@@ -116,10 +124,10 @@ void LabWindow::show_aim() {
   aim_time_.start(kShown);
 }
 
-// A disc of random radius.
-void LabWindow::spawn(double x, double y) {
+// A disc, into the run where it has begun; without a radius a random one.
+void LabWindow::drop(const Vec2& at, std::optional<double> radius) {
   try {
-    const std::string name = session_.add_body(x, y);
+    const std::string name = session_.add_body(at.x(), at.y(), radius);
     if (!view_->tool_kept() && !name.empty()) to_select_ = {name};
   } catch (const SceneError& error) {
     show_message(this, tr("No body can be put here"), QString::fromStdString(error.what()));

@@ -112,7 +112,7 @@ class LabWindow : public QMainWindow {
   // Editing by hand (lab_editing.cpp).
   void connect_edits();
   void show_selection();
-  void spawn(double x, double y);  // m
+  void drop(const Vec2& at, std::optional<double> radius);  // m
   void select_drawn(const SceneEdits& edits);
   void edit_bodies(const SceneEdits& edits, const QString& name, int drag);
   void forget_refusal();

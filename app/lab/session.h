@@ -4,6 +4,7 @@
 #include <QRandomGenerator>
 #include <QUndoStack>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,9 +66,9 @@ class Session : public QObject {
   void set_selection(const std::vector<std::string>& names) { history_.set_selection(names); }
   // Takes back the edits of a drag that is not finished, if they are the last ones.
   void cancel(int drag);
-  // Adds a disc of random radius like the existing ones at this point (m), from now on. Throws SceneError where
-  // it is not allowed in a run. Returns its name; none if it was refused (editRefused).
-  std::string add_body(double x, double y);
+  // Adds a disc at this point, from now on; without a radius one of random radius like the existing ones (m).
+  // Throws SceneError where it is not allowed in a run. Returns its name; none if it was refused (editRefused).
+  std::string add_body(double x, double y, std::optional<double> radius = std::nullopt);
   void change_plots(const std::vector<Plot>& plots);
   // Nothing changes where they are not allowed (editRefused).
   void change_stops(const std::vector<Stop>& stops, const QString& text);

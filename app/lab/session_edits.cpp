@@ -145,15 +145,16 @@ void Session::cancel(int drag) {
   edits().undo();
 }
 
-std::string Session::add_body(double x, double y) {
+std::string Session::add_body(double x, double y, std::optional<double> radius) {
   const Preset& preset = document();
   // A disc like the existing ones, between half and one and a half times their radius; in a scene without any,
   // a twentieth of the view.
   const Body* model = model_disc(bodies());
-  const double radius = model != nullptr ? std::get<Disc>(model->shape).radius
-                        : preset.view    ? preset.view->width / 20.0
-                                         : 0.1;
-  Body body = new_body(bodies(), Disc{radius * (0.5 + sizes_.generateDouble())}, {x, y});
+  const double usual = model != nullptr ? std::get<Disc>(model->shape).radius
+                       : preset.view    ? preset.view->width / 20.0
+                                        : 0.1;
+  const Disc disc{radius ? *radius : usual * (0.5 + sizes_.generateDouble())};
+  Body body = new_body(bodies(), disc, {x, y});
   body.id.number = preset.scene.ids_given + 1;
   const SceneEdits edits = {Add<Body>{body}};
   const QString text = tr("Add disc %1").arg(QString::fromStdString(body.name));

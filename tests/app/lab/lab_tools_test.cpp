@@ -73,6 +73,24 @@ TEST_F(LabToolsTest, TheLineAtTheTopSaysWhatTheMouseCanDo) {
   key(Qt::Key_Space);
 }
 
+TEST_F(LabToolsTest, ADraggedDiscFallsIntoTheRun) {
+  key(Qt::Key_D);
+  drag({-1.0, 0.0}, {-0.8, 0.0});
+  ASSERT_TRUE(wait_for([this] { return selection() == Names{"A"} && window_.frame()->scene; }));
+  key(Qt::Key_Space);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->playing && window_.frame()->time > 0.0; }));
+  key(Qt::Key_D);
+  drag({1.0, 0.0}, {1.0, 0.3});
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
+  EXPECT_TRUE(window_.frame()->playing);
+  EXPECT_GT(window_.frame()->time, 0.0);
+  ASSERT_EQ(window_.preset().edits.size(), 1U) << "it comes in during the run";
+  const Body& disc = added_body(window_.preset().edits[0]);
+  EXPECT_NEAR(std::get<Disc>(disc.shape).radius, 0.3, 0.02);
+  EXPECT_NEAR(disc.position.x(), 1.0, 0.02);
+  key(Qt::Key_Space);
+}
+
 TEST_F(LabToolsTest, ANewBodyIsSelected) {
   key(Qt::Key_D);
   drag({-1.0, 0.0}, {-0.8, 0.0});
