@@ -1,8 +1,8 @@
 #pragma once
 
+#include <QLabel>
 #include <QObject>
 
-class QLabel;
 class QPushButton;
 
 namespace carom {

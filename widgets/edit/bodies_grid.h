@@ -82,7 +82,7 @@ class BodiesGrid : public FigureTable {
   QString hand_out(const SceneEdits& edits, const QString& name);
 
   BodiesModel* rows_;
-  QMenu* columns_menu_;
+  QMenu* columns_menu_ = nullptr;
   QLabel* value_;  // of the formula that is typed, by its cell
   Theme theme_ = light_theme();
   std::vector<std::string> selection_;  // in the scene
