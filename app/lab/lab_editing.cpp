@@ -55,8 +55,8 @@ void LabWindow::connect_edits() {
   connect(view_, &SceneView::selectionChanged, this, &LabWindow::show_selection);
   connect(view_, &SceneView::partChosen, this, &LabWindow::show_selection);
   connect(view_, &SceneView::selectionChanged, &session_,
-          [this] { session_.set_selection(view_->selection()); });
-  connect(&session_, &Session::selectionReturned, this, &LabWindow::select_again);
+          [this] { session_.history().set_selection(view_->selection()); });
+  connect(&session_.history(), &EditHistory::selectionReturned, this, &LabWindow::select_again);
   connect(view_, &SceneView::dragChanged, inspector_, &Inspector::watch_changes);
   connect(view_, &SceneView::dragChanged, sheet_, &BodiesSheet::watch_changes);
   connect(view_, &SceneView::menuRequested, this, &LabWindow::show_scene_menu);
@@ -84,20 +84,20 @@ void LabWindow::connect_edits() {
     to_select_ = names;
     if (frame() != nullptr) select_new();
   });
-  connect(&session_, &Session::bodiesChanged, this, &LabWindow::show_aim);
-  connect(&session_, &Session::runsReturned, this, &LabWindow::show_aim);
-  connect(&session_, &Session::documentChanged, view_, &SceneView::scene_edited);
+  connect(&session_.history(), &EditHistory::bodiesChanged, this, &LabWindow::show_aim);
+  connect(&session_.history(), &EditHistory::runsReturned, this, &LabWindow::show_aim);
+  connect(&session_.history(), &EditHistory::documentChanged, view_, &SceneView::scene_edited);
   aim_time_.setSingleShot(true);
   connect(&aim_time_, &QTimer::timeout, view_, [this] { view_->set_aim(std::nullopt); });
   // A refusal is about the last edit and what is shown; red cells are about the edit alone, which may select.
-  connect(&session_, &Session::documentChanged, this, [this] {
+  connect(&session_.history(), &EditHistory::documentChanged, this, [this] {
     inspector_->say({});
     sheet_->forget_faults();
     if (std::exchange(said_of_edit_, {}) == said_) said_.clear();
   });
   connect(view_, &SceneView::selectionChanged, this, &LabWindow::forget_refusal);
   connect(view_, &SceneView::partChosen, this, &LabWindow::forget_refusal);
-  connect(&session_, &Session::editRefused, this, [this](const QString& why) {
+  connect(&session_.history(), &EditHistory::editRefused, this, [this](const QString& why) {
     if (view_->refuse(why)) return;
     const bool typed_in_table = sheet_->isAncestorOf(QApplication::focusWidget());
     typed_in_table ? sheet_->refuse(why) : inspector_->say(why);
@@ -155,15 +155,15 @@ void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int dr
   if (scene == nullptr) return session_.edit(edits, name, drag);
   const AllowedPlace placed = allowed_place(*scene, edits);
   if (!placed.refusal.isEmpty()) {
-    emit session_.editRefused(placed.refusal);
+    session_.history().refuse(placed.refusal);
     return;
   }
   const AllowedMotion allowed = allowed_motion(*scene, placed.edits);
   QString sentence = placed.sentence.isEmpty() ? allowed.sentence : placed.sentence;
   if (sentence.isEmpty()) sentence = typed_overlap(*scene, allowed.edits);
-  const std::uint64_t before = session_.revision();
+  const std::uint64_t before = session_.history().revision();
   session_.edit(allowed.edits, allowed.sentence.isEmpty() ? name : allowed.name, drag);
-  if (sentence.isEmpty() || session_.revision() == before) return;
+  if (sentence.isEmpty() || session_.history().revision() == before) return;
   said_of_edit_ = sentence;
   say_for_a_while(sentence);
 }
@@ -263,7 +263,7 @@ void LabWindow::regroup(const Regrouping& made) {
 // After undo, as before the edit, once the bodies are shown.
 void LabWindow::select_again(const std::vector<std::string>& names) {
   const auto gone = [this](const std::string& name) {
-    return std::none_of(session_.bodies().begin(), session_.bodies().end(),
+    return std::none_of(session_.history().bodies().begin(), session_.history().bodies().end(),
                         [&](const Body& body) { return body.name == name; });
   };
   to_select_ = names;

@@ -168,7 +168,7 @@ void LabExports::save_data(const RunPlot* plot) {
   const auto marked = interval_of(marks);
   auto* dialog = new ExportDialog(plot == nullptr ? QString() : plot->content().title, text_of(marked),
                                   names_of(methods), window_);
-  ask(dialog, [this, dialog, frames, marks, marked, plot, reference = session_.reference()] {
+  ask(dialog, [this, dialog, frames, marks, marked, plot, reference = session_.history().document().reference] {
     const Frame& frame = *frames[dialog->run()];
     QString name = QStringLiteral("run");
     DataExport what = export_of(frame, reference);
@@ -196,7 +196,7 @@ void LabExports::save_data(const RunPlot* plot) {
 void LabExports::copy_data(const RunPlot* plot, bool shown) {
   if (!has_run()) return;
   if (plot->distribution() != nullptr) return copy_bins(*plot);
-  DataExport what = export_of(*session_.runs().newest().front(), session_.reference());
+  DataExport what = export_of(*session_.runs().newest().front(), session_.history().document().reference);
   add_columns(plot->content(), what.columns);
   if (shown) {
     what.from = views_.plots.marks().from;
@@ -291,7 +291,7 @@ void LabExports::write_report() {
     const LabReport report = dialog->report();
     // So that plots and tables have the same time.
     if (!report.until_shown) session_.runs().go_to_end();
-    bodies_->set(since_start(session_.bodies(), report.ends.front()));
+    bodies_->set(since_start(session_.history().bodies(), report.ends.front()));
     views_.ledger.update_from(report.ends.front());
     ask_for_export(tr("Save the report"), file_stem_of(session_) + ".pdf", tr("Documents (*.pdf)"),
                    [this, report](const QString& file) { save_report(report, file); });

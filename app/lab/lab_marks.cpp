@@ -28,7 +28,7 @@ void LabWindow::show_before_after() {
   before_after_->update_from({.shown = *runs.frame(),
                               .newest = newest,
                               .recorder = *runs.recorders().front(),
-                              .start = session_.bodies(),
+                              .start = session_.history().bodies(),
                               .picked = runs.picked(),
                               .mark_a = marks.a,
                               .mark_b = marks.b,

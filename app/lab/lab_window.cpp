@@ -93,19 +93,19 @@ LabWindow::~LabWindow() {
 void LabWindow::connect_session() {
   connect(&session_.runs(), &LabRuns::framesChanged, this, &LabWindow::show_frame);
   connect(&session_.runs(), &LabRuns::noticesChanged, this, &LabWindow::show_notices);
-  connect(&session_, &Session::documentChanged, this, &LabWindow::show_document);
+  connect(&session_.history(), &EditHistory::documentChanged, this, &LabWindow::show_document);
   connect(&session_, &Session::modifiedChanged, this, &LabWindow::setWindowModified);
   connect(&session_, &Session::modifiedChanged, this, [this](bool modified) {
     if (modified) before_preview_.reset();  // it was taken up
   });
-  connect(&session_, &Session::plotsChanged, this, [this] {
-    plots_->set_first_theories(session_.first_theories());
+  connect(&session_.history(), &EditHistory::plotsChanged, this, [this] {
+    plots_->set_first_theories(session_.history().document().first_theories);
     plots_->change_plots(preset().plots);
     session_.runs().record(plots_->curves());
   });
-  connect(&session_, &Session::bodiesChanged, this, [this] {
-    plots_->set_first_theories(session_.first_theories());
-    plots_->set_bodies(session_.bodies(), preset().plots);
+  connect(&session_.history(), &EditHistory::bodiesChanged, this, [this] {
+    plots_->set_first_theories(session_.history().document().first_theories);
+    plots_->set_bodies(session_.history().bodies(), preset().plots);
     session_.runs().record(plots_->curves());
   });
   connect(files_, &DocumentFiles::opened, this, &LabWindow::show_scene);
@@ -241,11 +241,11 @@ void LabWindow::show_preparing() {
 
 void LabWindow::show_document() {
   methods_->show_document(preset());
-  chips_->show_start(session_.start());
+  chips_->show_start(session_.history().document().start);
   show_about();
   ledger_->set_scene(preset());
   study_->edit_scene(preset());
-  compare_->set_scene(preset(), session_.reference());
+  compare_->set_scene(preset(), session_.history().document().reference);
   transport_->set_duration(preset().duration);
   plots_->set_duration(preset().duration);
   show_stops();

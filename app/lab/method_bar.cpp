@@ -46,7 +46,7 @@ MethodBar::MethodBar(QMenu* methods, QWidget* window) : QObject(window), window_
   impacts_ = make_button(window, add_choices(methods, tr("&Impacts"), kImpacts, &Method::impacts),
                          tr("When impacts are resolved; applies from now on"));
   contacts_ = make_button(window, add_choices(methods, tr("&Contacts"), kContacts, &Method::contacts),
-                          tr("What holds bodies that touch; applies from now on"));
+                          tr("How lasting contacts are treated; applies from now on"));
   add_steps(methods);
   step_ = make_button(window, steps_, {});
 }

@@ -20,12 +20,6 @@ Preset empty_document() {
 Session::Session(QObject* parent) : QObject(parent), history_(Document{empty_document()}) {
   connect(&history_.stack(), &QUndoStack::indexChanged, this, &Session::check_modified);
   connect(&history_.stack(), &QUndoStack::cleanChanged, this, &Session::check_modified);
-  connect(&history_, &EditHistory::documentChanged, this, &Session::documentChanged);
-  connect(&history_, &EditHistory::bodiesChanged, this, &Session::bodiesChanged);
-  connect(&history_, &EditHistory::plotsChanged, this, &Session::plotsChanged);
-  connect(&history_, &EditHistory::runsReturned, this, &Session::runsReturned);
-  connect(&history_, &EditHistory::editRefused, this, &Session::editRefused);
-  connect(&history_, &EditHistory::selectionReturned, this, &Session::selectionReturned);
 }
 
 void Session::open(const Preset& preset, const std::vector<Plot>& plots, const std::vector<Curve>& curves,
@@ -42,7 +36,7 @@ void Session::open(const Preset& preset, const std::vector<Plot>& plots, const s
   file_ = file;
   history_.load(document, curves);
   check_modified();
-  emit documentChanged();
+  emit history_.documentChanged();
 }
 
 void Session::save(const QString& file) {
@@ -50,7 +44,7 @@ void Session::save(const QString& file) {
   file_ = file;
   Start saved = start_of(history_.document());
   saved.origin = {.saved = true, .scene = fingerprint(saved.scene, start_time(saved.saved))};
-  if (!start().from) history_.set_origin(saved.origin);
+  if (!history_.document().start.from) history_.set_origin(saved.origin);
   starts_.set_first(std::move(saved));
   edits().setClean();
 }

@@ -33,18 +33,14 @@ class Session : public QObject {
   [[nodiscard]] const Preset& document() const { return history_.document().preset; }
   [[nodiscard]] const QString& name() const { return name_; }
   [[nodiscard]] const QString& file() const { return file_; }
-  [[nodiscard]] ReferenceId reference() const { return history_.document().reference; }
-  [[nodiscard]] const StartOrigin& start() const { return history_.document().start; }
-  // Plots as they were before an edit took the theories from them.
-  [[nodiscard]] const std::vector<Plot>& first_theories() const { return history_.document().first_theories; }
-  // All bodies as they start, in the order of the runs.
-  [[nodiscard]] const std::vector<Body>& bodies() const { return history_.bodies(); }
   // Throws SceneError if the file can't be written; the document stays unchanged.
   void save(const QString& file);
 
   // Whether there is unsaved work.
   [[nodiscard]] bool modified() const;
-  [[nodiscard]] std::uint64_t revision() const { return history_.revision(); }  // changes with each edit
+  // What was done, with the signals of what it changes.
+  [[nodiscard]] EditHistory& history() { return history_; }
+  [[nodiscard]] const EditHistory& history() const { return history_; }
   [[nodiscard]] QUndoStack& edits() { return history_.stack(); }
 
   // --- edits
@@ -54,7 +50,7 @@ class Session : public QObject {
   // moment, which becomes the start; undo returns to that moment of the run. Other edits hold in the runs from
   // the shown moment on, and in the start. Bodies are replaced as they stand in the runs' shown scene. Edits of
   // one `drag` (> 0) are undone together. A run that plays is paused first where they need that. Nothing
-  // changes where the scene would not be valid (editRefused).
+  // changes where the scene would not be valid (EditHistory::editRefused).
   void edit(const SceneEdits& edits, const QString& text, int drag = 0);
   // Whether these edits of the shown scene wait until the runs stand still: those that are about motion or
   // remove bodies, and all of a moment of the past. Others hold in a run that plays.
@@ -62,15 +58,13 @@ class Session : public QObject {
   // Pauses the runs, and then hands over the edits as they are of the moment that is reached.
   void pause_for(const SceneEdits& edits, const QString& text,
                  const std::function<void(const SceneEdits&)>& then);
-  // The names of the bodies that are selected now: undo of a later edit of the scene asks for them again.
-  void set_selection(const std::vector<std::string>& names) { history_.set_selection(names); }
   // Takes back the edits of a drag that is not finished, if they are the last ones.
   void cancel(int drag);
   // Adds a disc at this point, from now on; without a radius one of random radius like the existing ones (m).
-  // Throws SceneError where it is not allowed in a run. Returns its name; none if it was refused (editRefused).
+  // Throws SceneError where it is not allowed in a run. Returns its name; none if it was refused.
   std::string add_body(double x, double y, std::optional<double> radius = std::nullopt);
   void change_plots(const std::vector<Plot>& plots);
-  // Nothing changes where they are not allowed (editRefused).
+  // Nothing changes where they are not allowed.
   void change_stops(const std::vector<Stop>& stops, const QString& text);
   // The same of the duration (s) of the runs; `drag` as in edit().
   void change_duration(double duration, const QString& text, int drag = 0);
@@ -87,12 +81,6 @@ class Session : public QObject {
   [[nodiscard]] const LabRuns& runs() const { return history_.runs(); }
 
  signals:
-  void documentChanged();
-  void bodiesChanged();  // of the document, with its plots
-  void plotsChanged();   // of the document
-  void runsReturned();   // undo or redo shows runs as they were
-  void editRefused(const QString& why);
-  void selectionReturned(const std::vector<std::string>& names);
   void modifiedChanged(bool modified);
 
  private:

@@ -105,14 +105,14 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
 // Whether an edit of this drag has made the start.
 bool Session::goes_on_with_new_start(int drag) const {
   const DocumentEdit* last = history_.last_edit_of(drag);
-  return drag > 0 && start().from && last != nullptr && last->what().leaves != nullptr;
+  return drag > 0 && history_.document().start.from && last != nullptr && last->what().leaves != nullptr;
 }
 
 // `time` (s): the moment of the edit, unless an earlier edit of the same drag has made the start.
 void Session::name_new_start(double time, const SceneEdits& edits, const QString& by, DocumentChange& change,
                              DocumentEdit::What& what) {
   const bool goes_on = what.drag && goes_on_with_new_start(*what.drag);
-  const double from = goes_on ? *start().from : time;
+  const double from = goes_on ? *history_.document().start.from : time;
   if (!goes_on) what.leaves = std::make_shared<const Start>(start_of(history_.document()));
   what.asked = edits;
   what.text = tr("New start from %1 s: %2").arg(from, 0, 'f', 3).arg(by);
@@ -149,12 +149,12 @@ std::string Session::add_body(double x, double y, std::optional<double> radius) 
   const Preset& preset = document();
   // A disc like the existing ones, between half and one and a half times their radius; in a scene without any,
   // a twentieth of the view.
-  const Body* model = model_disc(bodies());
+  const Body* model = model_disc(history_.bodies());
   const double usual = model != nullptr ? std::get<Disc>(model->shape).radius
                        : preset.view    ? preset.view->width / 20.0
                                         : 0.1;
   const Disc disc{radius ? *radius : usual * (0.5 + sizes_.generateDouble())};
-  Body body = new_body(bodies(), disc, {x, y});
+  Body body = new_body(history_.bodies(), disc, {x, y});
   body.id.number = preset.scene.ids_given + 1;
   const SceneEdits edits = {Add<Body>{body}};
   const QString text = tr("Add disc %1").arg(QString::fromStdString(body.name));

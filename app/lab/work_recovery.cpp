@@ -42,12 +42,12 @@ void WorkRecovery::end() {
 }
 
 void WorkRecovery::keep_now() {
-  if (!autosave_ || !session_.modified() || session_.revision() == kept_) return;
+  if (!autosave_ || !session_.modified() || session_.history().revision() == kept_) return;
   try {
     Preset work = session_.document();
     if (const std::optional<View> view = view_()) work.view = view;
     autosave_->keep(work, session_.starts().kept());
-    kept_ = session_.revision();
+    kept_ = session_.history().revision();
     not_kept_.clear();
   } catch (const SceneError& error) {
     not_kept_ = tr("Unsaved work is not kept: %1").arg(QString::fromStdString(error.what()));

@@ -112,7 +112,7 @@ void SwitchSearch::sample(Flights& f, const Island& island, double time, std::ve
 // A switch must first be seen in the state that it is said to be in: just after it flipped its margin is zero
 // within rounding. One that is out of that state over the whole trajectory flips at once, if it is then in its
 // state: it was due together with another switch of the island. The trajectory is sampled in quarters: what
-// starts and stops to act within less is not resolved by the step either.
+// starts and stops acting within less is not resolved by the step either.
 void SwitchSearch::end_at_first(Flights& f, Island& island) {
   const bool strings = island.group >= 0 && !f.joints.strings(island.group).empty();
   if (!f.field.has_switching_springs() && !strings) return;

@@ -29,7 +29,8 @@ std::string right(const std::string& text, std::size_t width) {
 std::string range_text(const StudyGroup& g) {
   const OrderFit& fit = g.verdict();
   if (fit.kind == OrderFit::Kind::kExact) return ", no order: every error is rounding";
-  if (fit.kind == OrderFit::Kind::kNone) return ": fewer than three errors between rounding and nonsense";
+  if (fit.kind == OrderFit::Kind::kNone)
+    return ": fewer than three errors are above rounding and small enough to fit";
   const bool adaptive = error_parameter(g.rows.front().method) == ErrorParameter::kTolerance;
   return fmt::format(" in {}, fitted on {} from {:.3g} to {:.3g} {}, {} points",
                      g.is_of_angle() ? "angle (positions are exact)" : "position",

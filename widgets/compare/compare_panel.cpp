@@ -158,8 +158,7 @@ QWidget* ComparePanel::make_choices() {
   integrators_ =
       make_choice(kIntegrators, &Method::integrator, false, tr("How the chosen run advances free motion"));
   impacts_ = make_choice(kImpacts, &Method::impacts, true, tr("When the chosen run resolves impacts"));
-  contacts_ =
-      make_choice(kContacts, &Method::contacts, true, tr("What holds bodies that touch in the chosen run"));
+  contacts_ = make_choice(kContacts, &Method::contacts, true, tr("How the chosen run treats lasting contacts"));
   step_ = new QSlider(Qt::Horizontal);
   step_->setRange(0, kDecades * kPlaces);
   step_->setPageStep(kPlaces / 4);

@@ -42,14 +42,15 @@ constexpr int kButton = 23;           // px, high
 constexpr int kLow = 230;             // px: a lower panel has its buttons at the side
 constexpr int kNarrow = 480;          // px: a low panel that is narrower has no room for the table
 
-// Whether two scenes have the same motion, apart from what a study varies.
-bool same_to_a_study(const Preset& one, Preset other) {
-  const ContactsId contacts = other.method.contacts;
-  other.compare = one.compare;
-  other.method = one.method;
-  other.method.contacts = contacts;
-  other.plots = one.plots;
-  return write_preset(one) == write_preset(other);
+// What decides the motion, apart from what a study varies.
+std::string motion_of(const Preset& preset) {
+  Preset motion;
+  motion.duration = preset.duration;
+  motion.scene = preset.scene;
+  motion.method.contacts = preset.method.contacts;
+  motion.edits = preset.edits;
+  motion.saved = preset.saved;
+  return write_preset(motion);
 }
 
 QString words_of(const StudyFacts& facts) {
@@ -200,7 +201,7 @@ void StudyPanel::set_scene(const Preset& preset, const QString& name) {
 
 void StudyPanel::edit_scene(const Preset& preset) {
   preset_ = preset;
-  current_ = studied_ && same_to_a_study(*studied_, preset_);
+  current_ = studied_ && motion_of(*studied_) == motion_of(preset_);
   show_words();
 }
 

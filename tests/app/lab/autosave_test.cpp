@@ -215,7 +215,7 @@ TEST_F(AutosaveTest, TheStartsComeBackWithTheWork) {
     return chip->text().startsWith("new start, from 0.5");
   }));
   window->session().starts().go_to_first();
-  EXPECT_EQ(window->session().bodies()[0].position,
+  EXPECT_EQ(window->session().history().bodies()[0].position,
             read_preset(find_preset("head-on")).scene.bodies[0].position);
 }
 
@@ -244,7 +244,7 @@ TEST_F(AutosaveTest, TheStartsOfAKilledWindowComeBack) {
     EXPECT_EQ(starts.known().front().name, "as opened");
     const std::vector<Body> opened = read_preset(find_preset("head-on")).scene.bodies;
     starts.go_to_first();
-    EXPECT_EQ(window->session().bodies()[0].position, opened[0].position);
+    EXPECT_EQ(window->session().history().bodies()[0].position, opened[0].position);
     window->session().edits().undo();
     EXPECT_EQ(starts.known().size(), known);
     window->session().edits().setClean();

@@ -160,7 +160,7 @@ TEST_F(LabPlayEditTest, AVelocityTypedFasterThanThePauseCutsNoMotion) {
   type("Velocity y, m/s", "1");
   ASSERT_TRUE(pauses());
   ASSERT_TRUE(wait_for([this] { return undo_text().contains(": "); })) << undo_text().toStdString();
-  const double from = *window_.session().start().from;
+  const double from = *window_.session().history().document().start.from;
   const Body& light = window_.preset().scene.bodies[0];
   EXPECT_EQ(light.velocity.y(), 1.0);
   undo();

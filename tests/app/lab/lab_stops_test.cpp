@@ -213,7 +213,7 @@ TEST_F(LabStopsTest, SentencesAreTypedAndRefused) {
 }
 
 TEST_F(LabStopsTest, ChoicesBuildASentence) {
-  const QString body = QString::fromStdString(window_.session().bodies().front().name);
+  const QString body = QString::fromStdString(window_.session().history().bodies().front().name);
   action("Stops...")->trigger();
   part<QComboBox>("Kind of stop")->setCurrentIndex(static_cast<int>(StopKind::kPassing));
   part<QComboBox>("Body")->setCurrentIndex(1);

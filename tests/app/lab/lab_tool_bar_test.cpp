@@ -53,7 +53,7 @@ TEST_F(LabToolBarTest, NoButtonIsLost) {
       QTest::qWait(30);
       const QString where = QString("%1 at %2").arg(experiment).arg(width);
       for (const char* tip :
-           {"Dark colours", "Help", "Which plots", "How free motion", "When impacts", "What holds"}) {
+           {"Dark colours", "Help", "Which plots", "How free motion", "When impacts", "How lasting"}) {
         const QToolButton* shown = button(tip);
         EXPECT_TRUE(shown->isVisible()) << tip << ", " << where.toStdString();
         EXPECT_LE(shown->mapTo(&window_, QPoint(shown->width(), 0)).x(), width) << tip << where.toStdString();

@@ -47,7 +47,7 @@ TEST_F(LabWindowTest, MethodsAreChosenFromTheMenus) {
 
 // A disc on a floor, with friction.
 TEST_F(LabWindowTest, ContactsAreChosenBesideTheImpacts) {
-  EXPECT_EQ(button("What holds bodies that touch")->text(), "impulses only ▾");
+  EXPECT_EQ(button("How lasting contacts are treated")->text(), "impulses only ▾");
   Preset preset;
   preset.scene.forces.gravity = Vec2(0.0, -10.0);
   preset.scene.bodies.resize(2);
@@ -65,7 +65,7 @@ TEST_F(LabWindowTest, ContactsAreChosenBesideTheImpacts) {
   EXPECT_TRUE(window_.frame()->contacts.empty());
   EXPECT_TRUE(about().contains("as repeated impacts"));
 
-  const QToolButton* choice = button("What holds bodies that touch");
+  const QToolButton* choice = button("How lasting contacts are treated");
   QAction* lasting = choice->menu()->actions().back();
   EXPECT_TRUE(lasting->toolTip().contains("static and kinetic friction"));
   lasting->trigger();

@@ -16,6 +16,11 @@
 namespace carom {
 namespace {
 
+struct KeyHeld {
+  Qt::Key key;
+  Qt::KeyboardModifiers held;
+};
+
 bool answers() {
   return QApplication::activeModalWidget() == nullptr && QApplication::activePopupWidget() == nullptr;
 }
@@ -109,10 +114,6 @@ void Monkey::link() {
 }
 
 void Monkey::edit_key() {
-  struct KeyHeld {
-    Qt::Key key;
-    Qt::KeyboardModifiers held;
-  };
   constexpr std::array kKeys = {
       KeyHeld{Qt::Key_Left, Qt::NoModifier},   KeyHeld{Qt::Key_Right, Qt::ControlModifier},
       KeyHeld{Qt::Key_Up, Qt::ShiftModifier},  KeyHeld{Qt::Key_BracketLeft, Qt::NoModifier},
@@ -142,16 +143,22 @@ void Monkey::fold() {
   drawer->set_folded(!drawer->folded());
 }
 
-// Through the record, by the timeline or by keys.
+// Through the record, by the timeline or by keys, at another speed, or from another start.
 void Monkey::scrub() {
-  constexpr std::array kKeys = {Qt::Key_Comma, Qt::Key_Period, Qt::Key_PageUp, Qt::Key_PageDown,
-                                Qt::Key_Home,  Qt::Key_End,    Qt::Key_G,      Qt::Key_Space};
-  const auto key = kKeys[static_cast<std::size_t>(below(static_cast<int>(kKeys.size())))];
+  constexpr std::array kKeys = {
+      KeyHeld{Qt::Key_Comma, Qt::NoModifier},      KeyHeld{Qt::Key_Period, Qt::NoModifier},
+      KeyHeld{Qt::Key_PageUp, Qt::NoModifier},     KeyHeld{Qt::Key_PageDown, Qt::NoModifier},
+      KeyHeld{Qt::Key_Home, Qt::NoModifier},       KeyHeld{Qt::Key_End, Qt::NoModifier},
+      KeyHeld{Qt::Key_G, Qt::NoModifier},          KeyHeld{Qt::Key_Space, Qt::NoModifier},
+      KeyHeld{Qt::Key_Comma, Qt::ControlModifier}, KeyHeld{Qt::Key_Period, Qt::ControlModifier},
+      KeyHeld{Qt::Key_I, Qt::ShiftModifier},       KeyHeld{Qt::Key_B, Qt::ShiftModifier},
+      KeyHeld{Qt::Key_R, Qt::ControlModifier},     KeyHeld{Qt::Key_H, Qt::NoModifier}};
+  const KeyHeld& key = kKeys[static_cast<std::size_t>(below(static_cast<int>(kKeys.size())))];
   const int from = below(1 << 10);
   const int to = below(1 << 10);
   const bool drags = once_in(2);
   if (window_ == nullptr || !answers()) return;
-  if (!drags) return QTest::keyClick(&window_->scene_view(), key);
+  if (!drags) return QTest::keyClick(&window_->scene_view(), key.key, key.held);
   Timeline& timeline = *window_->findChild<Timeline*>();
   const int y = timeline.height() / 2;
   drag_in(timeline, {from % std::max(timeline.width(), 1), y}, {to % std::max(timeline.width(), 1), y});

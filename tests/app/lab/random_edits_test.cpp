@@ -42,7 +42,7 @@ Method other_method(const Method& method, unsigned seed) {
 class EditedSession {
  public:
   EditedSession() {
-    QObject::connect(&session_, &Session::editRefused, [this] { ++refused_; });
+    QObject::connect(&session_.history(), &EditHistory::editRefused, [this] { ++refused_; });
     const Preset first = first_document();
     session_.open(first, first.plots, {}, {}, {});
     documents_ = {document()};

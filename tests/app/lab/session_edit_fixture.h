@@ -13,7 +13,8 @@ namespace carom {
 class SessionEditTest : public SessionFixture {
  protected:
   SessionEditTest() {
-    QObject::connect(&session_, &Session::editRefused, [this](const QString& why) { refused_ = why; });
+    QObject::connect(&session_.history(), &EditHistory::editRefused,
+                     [this](const QString& why) { refused_ = why; });
     open(two_discs());
   }
   void open(const Preset& preset) {

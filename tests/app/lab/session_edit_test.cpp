@@ -176,7 +176,7 @@ TEST_F(SessionEditTest, WhatNamesABodyFollowsItsName) {
   EXPECT_EQ(session_.document().plots[0].y[0].bodies[0], "left");
   ASSERT_EQ(session_.document().stops.size(), 1U);
   EXPECT_EQ(sentence_of(session_.document().stops[0]), "when left passes x = 1 m");
-  EXPECT_EQ(session_.bodies().size(), 1U);
+  EXPECT_EQ(session_.history().bodies().size(), 1U);
   undo();
   undo();
   EXPECT_EQ(document(), before);
@@ -198,7 +198,7 @@ TEST_F(SessionEditTest, ABodyThatHasStuckIsRenamedAndDeleted) {
   EXPECT_NEAR(now("stuck").velocity.x(), 0.5, 1e-12);
   edit(Remove<Body>{now("stuck").id}, "Delete stuck");
   EXPECT_EQ(refused_, "");
-  EXPECT_EQ(session_.bodies().size(), 1U);
+  EXPECT_EQ(session_.history().bodies().size(), 1U);
   EXPECT_NEAR(start(0).velocity.x(), 0.5, 1e-12);
 }
 

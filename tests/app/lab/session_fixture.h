@@ -50,7 +50,7 @@ class SessionFixture : public testing::Test {
       const Frame& frame = *runs.frames()[i];
       if (frame.method != method(i) || frame.time + frame.method.step <= runs.frame()->time) return false;
       if (runs.recorders()[i]->series(curve) == nullptr || frame.rows_known_until < frame.time ||
-          frame.bodies->size() > session_.bodies().size())
+          frame.bodies->size() > session_.history().bodies().size())
         return false;
     }
     return !runs.frame()->playing && runs.frame()->scene != nullptr;

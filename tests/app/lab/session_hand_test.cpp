@@ -149,7 +149,7 @@ TEST_F(SessionHandTest, ANewStartAtAMomentWithAHandHasNone) {
   settle();
   EXPECT_FALSE(runs().frame()->hand);
   EXPECT_FALSE(session_.document().scene.forces.hand);
-  EXPECT_TRUE(session_.start().from.has_value());
+  EXPECT_TRUE(session_.history().document().start.from.has_value());
 }
 
 TEST_F(SessionHandTest, ExactFlightBecomesRk4InTheSameStep) {

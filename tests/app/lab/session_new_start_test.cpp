@@ -127,7 +127,7 @@ TEST_F(SessionNewStartTest, TheRecordOfADeletedBodyComesBack) {
   undo();
   expect_same(shown(), before);
   redo();
-  EXPECT_EQ(session_.bodies().size(), preset.scene.bodies.size() - 1);
+  EXPECT_EQ(session_.history().bodies().size(), preset.scene.bodies.size() - 1);
   session_.runs().set_playing(true);
   ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.runs().frame()->time > 0.05; }));
   undo();

@@ -124,22 +124,22 @@ TEST_F(SessionStartsTest, AFileHoldsThemAll) {
   EXPECT_EQ(names().size(), 1U);
   session_.starts().recover(read_starts(text));
   EXPECT_EQ(names(), before);
-  ASSERT_TRUE(session_.start().from);
-  EXPECT_NEAR(*session_.start().from, 0.3, 0.01);
+  ASSERT_TRUE(session_.history().document().start.from);
+  EXPECT_NEAR(*session_.history().document().start.from, 0.3, 0.01);
   session_.starts().go_to_first();
   settle();
   EXPECT_EQ(document(), opened);
   undo();
   EXPECT_EQ(document(), last);
   go_to(1);
-  EXPECT_EQ(session_.start().by, "Move disc 2");
-  EXPECT_EQ(session_.bodies().at(place_of("disc 1")).name, "renamed") << "edited after it had begun";
+  EXPECT_EQ(session_.history().document().start.by, "Move disc 2");
+  EXPECT_EQ(session_.history().bodies().at(place_of("disc 1")).name, "renamed") << "edited after it had begun";
   EXPECT_NE(document(), raised);
   // A body of one name is the same body: an edit of it is made in the start that came before.
   give_mass("disc 2", 2.0);
   session_.edits().undo();
   settle();
-  EXPECT_EQ(session_.bodies().size(), gas().scene.bodies.size());
+  EXPECT_EQ(session_.history().bodies().size(), gas().scene.bodies.size());
 }
 
 TEST_F(SessionStartsTest, WhatIsNoListOfStartsIsSaid) {
@@ -175,7 +175,7 @@ TEST_F(SessionStartsTest, AllStartsAreListedByName) {
   EXPECT_EQ(session_.edits().undoText(), "Start from 0.400 s: Move disc 2");
   EXPECT_EQ(names()[1], "from 0.400 s: Move disc 2!");
   EXPECT_EQ(names().size(), 3U);
-  EXPECT_EQ(session_.start().from, 0.4);
+  EXPECT_EQ(session_.history().document().start.from, 0.4);
   go_to(2);
   EXPECT_EQ(document(), newest);
   undo();
@@ -231,7 +231,7 @@ TEST_F(SessionStartsTest, AnEditIsPutIntoTheStartBefore) {
   EXPECT_EQ(session_.runs().frame()->time, 0.0);
   EXPECT_EQ(session_.edits().undoText(), "Speed of disc 2");
   EXPECT_EQ(session_.edits().count(), 1);
-  EXPECT_FALSE(session_.start().from);
+  EXPECT_FALSE(session_.history().document().start.from);
   undo();
   expect_same(shown(), before);
 }
@@ -259,7 +259,7 @@ TEST_F(SessionStartsTest, WhatTheStartBeforeCannotTakeIsSaid) {
   run_to(0.4);
   Spring spring;
   spring.name = "spring 1";
-  spring.body = session_.bodies().back().name;
+  spring.body = session_.history().bodies().back().name;
   spring.to = "disc 1";
   spring.stiffness = 10.0;
   spring.rest_length = 0.5;
@@ -269,7 +269,7 @@ TEST_F(SessionStartsTest, WhatTheStartBeforeCannotTakeIsSaid) {
   session_.starts().put_into_start_before();
   EXPECT_TRUE(refused_.startsWith("Not in the start before: ")) << refused_.toStdString();
   EXPECT_EQ(document(), with);
-  EXPECT_TRUE(session_.start().from);
+  EXPECT_TRUE(session_.history().document().start.from);
 }
 
 TEST_F(SessionStartsTest, MoreThatWasChangedSinceIsNotLost) {

@@ -72,7 +72,10 @@ class SessionTest : public SessionFixture {
     session_.open(preset, preset.plots, {}, "drag-projectile", {});
   }
   [[nodiscard]] Snapshot snapshot() const {
-    Snapshot now{write_preset(session_.document()), session_.reference(), names_of(session_.bodies()), {}};
+    Snapshot now{write_preset(session_.document()),
+                 session_.history().document().reference,
+                 names_of(session_.history().bodies()),
+                 {}};
     const std::vector<SeenRun> seen = seen_runs(session_.runs());
     for (std::size_t i = 0; i < seen.size(); ++i) {
       const Frame& frame = *session_.runs().frames()[i];

@@ -121,13 +121,14 @@ TEST_F(StudyPanelTest, AClickOnAPointChoosesItsMethod) {
   EXPECT_TRUE(chosen_.empty());
 }
 
-// A step chosen by a click does not change the steps of later studies; a scene with another method is the same
-// scene.
+// A step chosen by a click does not change the steps of later studies; a scene with another method, or told in
+// other words, is the same scene.
 TEST_F(StudyPanelTest, AChosenMethodIsNoOtherScene) {
   run_to_its_end();
   Preset with_method = drag_scene();
   with_method.method.integrator = IntegratorId::kExplicitEuler;
   with_method.method.step = 0.001;
+  with_method.about += ", told in other words";
   panel_.edit_scene(with_method);
   EXPECT_TRUE(panel_.of_the_scene_shown());
   StudyOptions of_the_scene = quick();
