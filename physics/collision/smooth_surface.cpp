@@ -134,6 +134,12 @@ Cover cover_of(const Wedge& here, const Wedge& there, const Vec2& normal, bool m
   return outside ? Cover::kRidge : Cover::kNone;
 }
 
+// Whether this is a thin wall along which the normal runs, which does not tell from which side it is touched.
+bool runs_along(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& normal) {
+  return shapes.core[i] == Core::kSegment && shapes.rounding[i] == 0.0 &&
+         std::abs(shapes.corners_of(i)->normal.dot(pose.turned_back(normal))) <= kParallel;
+}
+
 }  // namespace
 
 bool neighbour_covers(const ConvexShapes& shapes, ShapeIndex owner, const Pose& pose_owner,
@@ -141,15 +147,21 @@ bool neighbour_covers(const ConvexShapes& shapes, ShapeIndex owner, const Pose& 
                       double tolerance, bool may_overlap, bool by_face) {
   const double reach = shapes.radius[neighbour] + tolerance;
   if ((point - pose_neighbour.position).squaredNorm() > reach * reach) return false;
-  const auto cover = [&](double within) {
-    const Wedge there = wedge_at(shapes, neighbour, pose_neighbour, point, normal, within);
-    if (there.where == Wedge::kOutside) return Cover::kNone;
-    return cover_of(wedge_at(shapes, owner, pose_owner, point, normal, within), there, normal, may_overlap,
-                    by_face);
+  const auto covers = [&](const Vec2& towards) {
+    const auto cover = [&](double within) {
+      const Wedge there = wedge_at(shapes, neighbour, pose_neighbour, point, towards, within);
+      if (there.where == Wedge::kOutside) return Cover::kNone;
+      return cover_of(wedge_at(shapes, owner, pose_owner, point, towards, within), there, normal, may_overlap,
+                      by_face);
+    };
+    const Cover covered = cover(tolerance);
+    if (covered == Cover::kNone || covered == Cover::kRidge || may_overlap) return covered != Cover::kNone;
+    return covered == Cover::kBetween && cover(kSunk * tolerance) == Cover::kRidge;
   };
-  const Cover covered = cover(tolerance);
-  if (covered == Cover::kNone || covered == Cover::kRidge || may_overlap) return covered != Cover::kNone;
-  return covered == Cover::kBetween && cover(kSunk * tolerance) == Cover::kRidge;
+  if (!runs_along(shapes, owner, pose_owner, normal) && !runs_along(shapes, neighbour, pose_neighbour, normal))
+    return covers(normal);
+  const Vec2 aside = 2.0 * kParallel * crossed(normal);
+  return covers(normal + aside) || covers(normal - aside);
 }
 
 bool has_face(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& normal) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "physics/contact/contact_velocity.h"
 #include "physics/step/pair_motion.h"
@@ -43,6 +44,18 @@ bool continues(const World& world, const Manifold& m, const ManifoldPoint& at, c
   }
   return (at.point - force.point).norm() <= kSamePlace * smaller_size(world, force.a, force.b) &&
          m.normal.dot(force.normal) >= kSameNormal;
+}
+
+// Which of the pair's last forces, from `first` on, such a point goes on from.
+std::optional<std::size_t> force_before(const World& world, const std::vector<ContactForce>& forces,
+                                        std::size_t first, BodyIndex a, BodyIndex b, const Manifold& m,
+                                        const ManifoldPoint& at) {
+  std::optional<std::size_t> before;
+  for (std::size_t j = first; j < forces.size() && forces[j].a == a && forces[j].b == b; ++j) {
+    if (forces[j].id == at.id) return j;
+    if (continues(world, m, at, forces[j])) before = j;
+  }
+  return before;
 }
 
 }  // namespace
@@ -134,6 +147,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
   const double slip = kStuck * step.pressing.change_by_forces() + step.pressing.noise();
   const bool continued = may_be_continued(world, a, b);
+  const double size = world.shapes().size[a] + world.shapes().size[b];
   for (int k = 0; k < m.count; ++k) {
     const ManifoldPoint& at = m.points[k];
     if (continued && on_internal_edge(world, a, b, m.contact(k), neighbours_.of_pair(world, a, b),
@@ -161,8 +175,12 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const double pressed = std::max(rest, by_forces);
     const bool near = !located || !open ||
                       (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= 2.0 * pressed);
-    if (!near || (located && !slow && at.gap >= -rounding)) {
-      if (located && open && closing > rest) found.landings.push_back({a, b, at.id});
+    const std::optional<std::size_t> before = force_before(world, forces, last, a, b, m, at);
+    const bool pressed_before = before && step.memory.support[*before][0] > 0.0;
+    const bool begins_later = located && !pressed_before && at.gap > kFlush * size &&
+                              forces.size() <= static_cast<std::size_t>(kFewContactsOfScene);
+    if (!near || begins_later || (located && !slow && at.gap >= -rounding)) {
+      if (located && open && (closing > rest || begins_later)) found.landings.push_back({a, b, at.id});
       continue;
     }
     // A fast one that penetrates is projected out and left to the impacts at the step's end.
@@ -180,13 +198,11 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     c.sticks[i] = std::abs(u.tangential) <= slip ? 1 : 0;
     c.normal_impulse[i] = c.tangential_impulse[i] = c.rolling_impulse[i] = 0.0;
     found.guess.emplace_back(Eigen::Vector3d::Zero());
-    for (std::size_t j = last; j < forces.size() && forces[j].a == a && forces[j].b == b; ++j) {
-      if (forces[j].id != at.id && !continues(world, m, at, forces[j])) continue;
-      c.sticks[i] = forces[j].sticks;
-      found.guess.back() = step.memory.support[j];
-      if (forces[j].id == at.id) break;
+    if (before) {
+      c.sticks[i] = forces[*before].sticks;
+      found.guess.back() = step.memory.support[*before];
     }
-    found.old.push_back(found.guess.back()[0] > 0.0 ? 1 : 0);
+    found.old.push_back(pressed_before ? 1 : 0);
     found.id.push_back(at.id);
     found.point.push_back(at.point);
     found.press.push_back(press);

@@ -45,6 +45,10 @@ struct FoundContacts {
   [[nodiscard]] bool is_new(int i) const { return old[static_cast<std::size_t>(i)] == 0; }
 };
 
+// With impacts at their own time, what happens within a step is followed in scenes of up to so many contacts:
+// new contacts begin when they close, and an impact changes the forces on what it hits at once.
+inline constexpr int kFewContactsOfScene = 64;
+
 // Finds which pairs may touch within a step, and where; what closes faster than it may rest is no contact but
 // an impact.
 class ContactFinder {

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kNever = std::numeric_limits<double>::infinity();
-// Inelastic collapse: a pair with e < 1 separates slower than this share of its own speed, and the time since
-// the previous impact is less than doubles can distinguish.
+// Inelastic collapse: a pair with 0 < e < 1 separates slower than this share of its own speed, and the time
+// since the previous impact is less than doubles can distinguish.
 constexpr double kCollapseShare = 1e-12;
 // Impacts at one time, to the last bit, after which closing speeds below that share are rounding: a body too
 // light to change the speeds of two others would bounce between them for ever.
@@ -32,6 +32,9 @@ constexpr int kImpactsBeforeGuardPerBody = 4;
 // Parts into which new supports divide a step; a body that comes to rest in the last part is supported from
 // the next step on.
 constexpr int kMostParts = 8;
+// Of the speed with which forces press a pair together within a step: in a scene with few contacts only
+// rebounds slower than this share rest, and what bounces takes up to half a step longer at most with e = 1/2.
+constexpr double kLastShare = 0.125;
 // Limits for each later step of a run that has once reached kMostImpactsPerStep or kMostImpactsAtOnce (a
 // piston crushing an elastic disc, say), so that it still advances.
 constexpr int kMostImpactsOnceCapped = 20'000;
@@ -46,6 +49,15 @@ constexpr int kMostTrajectoryEndsPerBody = 20;
 constexpr std::int64_t kInternalEdge = 20;
 // Largest number of epochs in one step.
 constexpr double kMostEpochs = 1024.0;
+
+// m/s: a pair with contacts that last rests after an impact from which it rebounds slower.
+double last_rebound(const World& world, const RestingContacts& resting, BodyIndex a, BodyIndex b,
+                    const Contact& contact, double restitution) {
+  const bool few = resting.forces().size() <= static_cast<std::size_t>(kFewContactsOfScene);
+  const bool follows = few && world.method.integrator != IntegratorId::kExplicitEuler;
+  return (follows ? kLastShare : 1.0) *
+         resting.rest_speed(world, a, b, contact.point, contact.normal, restitution);
+}
 
 }  // namespace
 
@@ -185,11 +197,14 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
       kImpactsBeforeGuard + kImpactsBeforeGuardPerBody * static_cast<std::int64_t>(world.bodies());
   const int most_trajectory_ends = kMostTrajectoryEnds + kMostTrajectoryEndsPerBody * world.bodies();
   moment_.clear();
+  disturbed_.reset();
   while (!moment_.empty() || (!queue_.empty() && queue_.next().time <= target)) {
     if (moment_.empty()) find_moment(step);
     const Event next = moment_.back();
     moment_.pop_back();
     if (is_stale(next)) continue;
+    // All of a moment comes before the supports that it disturbs.
+    if (disturbed_ && next.time > *disturbed_) return disturbed_;
     if (next.time > target) {
       queue_.push(next);
       continue;
@@ -227,7 +242,7 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
     }
     if (resolve(step, next.a, next.b, next.time, impacts >= before_guard)) return next.time;
   }
-  return std::nullopt;
+  return disturbed_;
 }
 
 bool EventDrivenImpacts::resolve(const Step& step, BodyIndex a, BodyIndex b, double time, bool guarded) {
@@ -251,23 +266,49 @@ bool EventDrivenImpacts::resolve(const Step& step, BodyIndex a, BodyIndex b, dou
     if (trajectories.island_of(i) >= 0 && trajectories.start(i) != time)
       trajectories.advance_to(trajectories.island_of(i), time);
   }
-  const Contact contact = world.approach(a, b, touch_tolerance(world, a, b), *parts).contact;
-  const ImpactEffect effect = apply_impact(world, a, b, contact, world.material(contact, a, b), time);
+  return resolve_alone(step, a, b, world.approach(a, b, touch_tolerance(world, a, b), *parts).contact, time,
+                       guarded);
+}
+
+bool EventDrivenImpacts::resolve_alone(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact,
+                                       double time, bool guarded) {
+  World& world = step.world;
+  SurfaceLaw law = world.material(contact, a, b);
+  if (comes_to_rest(step, a, b, contact)) law.restitution = 0.0;
+  const ImpactEffect effect = apply_impact(world, a, b, contact, law, time);
   if (effect == ImpactEffect::kJoined) {
     last_impact_ = time;
     rebuild_all(step);
     return false;
   }
   const bool divides = classify_rebound(step, a, b, contact, world.material(contact, a, b), time, guarded);
+  note_disturbed(step, a, b, time);
   count_at_once(world, time);
-  const int island_a = trajectories.island_of(a);
-  const int island_b = trajectories.island_of(b);
+  const int island_a = world.trajectories.island_of(a);
+  const int island_b = world.trajectories.island_of(b);
   if (island_a >= 0 && island_b >= 0 && island_a != island_b) {
     rebuild_and_search(step, std::array{island_a, island_b});
   } else {
     rebuild_and_search(step, std::array{std::max(island_a, island_b)});
   }
   return divides;
+}
+
+// Whether forces press these bodies together again within a step after the impact, so that contact forces hold
+// them from now on: what is left of their bounces is lost at once.
+bool EventDrivenImpacts::comes_to_rest(const Step& step, BodyIndex a, BodyIndex b,
+                                       const Contact& contact) const {
+  World& world = step.world;
+  const double restitution = world.material(contact, a, b).restitution;
+  if (step.resting == nullptr || !step.may_divide || !(restitution < 1.0)) return false;
+  return -restitution * world.parting_speed(a, b, contact) <
+         last_rebound(world, *step.resting, a, b, contact, restitution);
+}
+
+// The contact forces on what is hit were found for its motion before: they hold until now.
+void EventDrivenImpacts::note_disturbed(const Step& step, BodyIndex a, BodyIndex b, double time) {
+  if (step.resting != nullptr && step.may_divide && time < step.h && step.resting->is_disturbed(a, b))
+    disturbed_ = time;
 }
 
 void EventDrivenImpacts::count_at_once(World& world, double time) {
@@ -287,8 +328,7 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, BodyIndex a, BodyInd
   if (world.method.integrator == IntegratorId::kExplicitEuler)
     rest = std::max(rest, last_rebound_of_euler(material.restitution) * press * step.h);
   if (step.resting != nullptr)
-    rest = std::max(rest, step.resting->rest_speed(world, std::min(a, b), std::max(a, b), contact.point,
-                                                   contact.normal, material.restitution));
+    rest = std::max(rest, last_rebound(world, *step.resting, a, b, contact, material.restitution));
   if (press > 0.0 && rebound < rest) {
     // The time that the omitted bounces would last, where their sum is known.
     const bool exact = choice_of(kIntegrators, world.method.integrator).exact_under_gravity;
@@ -300,7 +340,8 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, BodyIndex a, BodyInd
   if (guarded && rebound < pressed_in(world, a, b, step.h)) {
     if (step.resting == nullptr) world.note(&Notices::resting_since, now);
     end_of_step_.add(a, b, true);
-  } else if (rebound < kCollapseShare * (world.trajectories.at_start(a).segment<2>(3).norm() +
+  } else if (material.restitution > 0.0 &&
+             rebound < kCollapseShare * (world.trajectories.at_start(a).segment<2>(3).norm() +
                                          world.trajectories.at_start(b).segment<2>(3).norm()) &&
              time - last_impact_ <= 64.0 * kEpsilon * (std::abs(time) + step.h)) {
     world.note(&Notices::collapsed_since, now);

@@ -82,8 +82,11 @@ class EventDrivenImpacts {
   void find_moment(const Step& step);
   // Resolves the impact of a scheduled pair. True if it starts a support that divides the step.
   bool resolve(const Step& step, BodyIndex a, BodyIndex b, double time, bool guarded);
-  // Likewise, with all that closes at this time too, or with all that touches if the scene says so. Nothing if
-  // that is the pair alone, or if there is no solution.
+  // Likewise at one contact, where both bodies are there and nothing else closes with it.
+  bool resolve_alone(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact, double time,
+                     bool guarded);
+  // As resolve(), with all that closes at this time too, or with all that touches if the scene says so. Nothing
+  // if that is the pair alone, or if there is no solution.
   std::optional<bool> resolve_at_once(const Step& step, BodyIndex a, BodyIndex b, double time);
   // Fills cluster_ with the touches of the pairs of this moment that share bodies.
   void find_closing(const Step& step, BodyIndex a, BodyIndex b, double time);
@@ -96,6 +99,8 @@ class EventDrivenImpacts {
   // as resolve().
   bool classify_rebound(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact,
                         const SurfaceLaw& material, double time, bool guarded);
+  [[nodiscard]] bool comes_to_rest(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact) const;
+  void note_disturbed(const Step& step, BodyIndex a, BodyIndex b, double time);
   void count_at_once(World& world, double time);
   void resolve_end_of_step(const Step& step, double target);
 
@@ -132,6 +137,7 @@ class EventDrivenImpacts {
   ImpactCluster cluster_;
   std::vector<BodyIndex> reached_;  // bodies of a cluster, as they are found
   std::vector<Event> moment_;
+  std::optional<double> disturbed_;  // s after the epoch: when an impact has disturbed supports in this part
   std::vector<BodyPair> due_;
   std::vector<Contact> found_;
   std::vector<BodyIndex> near_;  // bodies near an impact

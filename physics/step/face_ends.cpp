@@ -12,10 +12,16 @@
 namespace carom {
 namespace {
 
-// Relative to the size: a disc so near the end of a face has reached it.
+// Relative to the size: what is so near the end of a face has reached it.
 constexpr double kAtEnd = 1e-12;
+// Likewise for a corner: its contact ends so far before, where the manifold still has the face's normal, and
+// nearer ones have reached the end. Beyond, faces that nearly touch beside the corner may be taken.
+constexpr double kBeforeEnd = 2.5e-5;
+constexpr double kCornerAtEnd = 3e-5;
 // Sine by which a normal and that of a face differ at most.
-constexpr double kDiscOnFace = 1e-7;
+constexpr double kOnFace = 1e-7;
+// Likewise: a corner so near a contact is the one that touches.
+constexpr double kAtCorner = 4e-5;
 // rad: corners that turn by less are no ends; the normal turns there as along a curve.
 constexpr double kLeastCorner = 0.2;
 // rad: beyond an end the normal turns to this side of the face's own; far enough to tell a corner from
@@ -23,66 +29,122 @@ constexpr double kLeastCorner = 0.2;
 constexpr double kBeyond = 0.05;
 
 // The face that has this outward normal in its body's frame.
-std::optional<DiscOnFace> face_with(const ConvexShapes& shapes, ShapeIndex part, const Vec2& normal) {
+std::optional<TouchOnFace> face_with(const ConvexShapes& shapes, ShapeIndex part, const Vec2& normal) {
   const Corner* corner = shapes.corners_of(part);
   for (int k = 0; k < shapes.corners[part]; ++k) {
-    if (corner[k].length > 0.0 && (corner[k].normal - normal).norm() <= kDiscOnFace)
-      return DiscOnFace{
+    if (corner[k].length > 0.0 && (corner[k].normal - normal).norm() <= kOnFace)
+      return TouchOnFace{
           .part = part, .normal = corner[k].normal, .vertex = corner[k].vertex, .length = corner[k].length};
   }
   return std::nullopt;
 }
 
-bool is_disc(const ConvexShapes& shapes, ShapeIndex part) {
-  return shapes.core[part] == Core::kPoint && shapes.rounding[part] > 0.0;
+double sizes(const World& world, BodyIndex a, BodyIndex b) {
+  return world.shapes().size[a] + world.shapes().size[b];
 }
 
-std::optional<DiscOnFace> disc_on_face(const World& world, const FoundContacts& found, int i) {
+bool is_round(const ConvexShapes& shapes, ShapeIndex part) { return shapes.core[part] == Core::kPoint; }
+
+bool has_faces(const ConvexShapes& shapes, ShapeIndex part) {
+  return shapes.edges(part) > 0 && shapes.core[part] != Core::kHalfPlane;
+}
+
+// The corner of a part without rounding that is within `near` m of this point of its frame.
+const Corner* corner_at(const ConvexShapes& shapes, ShapeIndex part, const Vec2& point, double near) {
+  if (!has_faces(shapes, part) || shapes.rounding[part] > 0.0) return nullptr;
+  const Corner* corner = shapes.corners_of(part);
+  const Corner* end = corner + shapes.corners[part];
+  const Corner* found =
+      std::find_if(corner, end, [&](const Corner& c) { return (c.vertex - point).norm() <= near; });
+  return found == end ? nullptr : found;
+}
+
+// The two parts of a contact with their poses at the start, and the normals out of each.
+struct Sides {
+  struct Side {
+    BodyIndex body;
+    ShapeIndex part;
+    Pose pose;
+    Vec2 out;  // of the plane
+    [[nodiscard]] std::optional<TouchOnFace> face(const ConvexShapes& shapes) const {
+      return has_faces(shapes, part) ? face_with(shapes, part, pose.turned_back(out)) : std::nullopt;
+    }
+    [[nodiscard]] Vec2 of_part(const Vec2& point) const {
+      return pose.turned_back(Vec2(point - pose.position));
+    }
+  };
+  Side a, b;
+};
+
+Sides sides_of(const World& world, const FoundContacts& found, int i) {
   const Geometry& g = world.shapes();
   const BodyIndex a = found.contacts.a[i];
   const BodyIndex b = found.contacts.b[i];
-  const auto [part_a, part_b] = parts_at(g, a, b, found.id[static_cast<std::size_t>(i)]);
-  const bool a_is_disc = is_disc(g.shapes, part_a);
-  if (a_is_disc == is_disc(g.shapes, part_b)) return std::nullopt;
-  const ShapeIndex part = a_is_disc ? part_b : part_a;
-  const BodyIndex body = a_is_disc ? b : a;
-  if (g.shapes.edges(part) == 0 || g.shapes.core[part] == Core::kHalfPlane) return std::nullopt;
-  const Pose pose = g.pose(body, world.trajectories.at_start(body).head<3>());
-  const Vec2 out = a_is_disc ? Vec2(-found.contacts.normal[i]) : Vec2(found.contacts.normal[i]);
-  std::optional<DiscOnFace> face = face_with(g.shapes, part, pose.turned_back(out));
-  if (!face) return std::nullopt;
-  face->disc = a_is_disc ? a : b;
-  face->disc_part = a_is_disc ? part_a : part_b;
-  face->body = body;
+  const auto parts = parts_at(g, a, b, found.id[static_cast<std::size_t>(i)]);
+  const auto pose = [&](BodyIndex body, ShapeIndex part) {
+    return g.part_pose(body, part, g.pose(body, world.trajectories.at_start(body).head<3>()));
+  };
+  const Vec2 n = found.contacts.normal[i];
+  return {{a, parts.a, pose(a, parts.a), n}, {b, parts.b, pose(b, parts.b), -n}};
+}
+
+// Nothing where two faces lie on each other: there corners of both touch, and the last to go tilts first.
+std::optional<TouchOnFace> touch_on_face(const World& world, const FoundContacts& found, int i) {
+  const ConvexShapes& shapes = world.shapes().shapes;
+  const auto [a, b] = sides_of(world, found, i);
+  std::optional<TouchOnFace> of_a = a.face(shapes);
+  std::optional<TouchOnFace> of_b = b.face(shapes);
+  if (of_a.has_value() == of_b.has_value()) return std::nullopt;
+  std::optional<TouchOnFace>& face = of_a ? of_a : of_b;
+  const Sides::Side& own = of_a ? a : b;
+  const Sides::Side& other = of_a ? b : a;
+  if (!is_round(shapes, other.part)) {
+    const Corner* corner =
+        corner_at(shapes, other.part, other.of_part(found.point[static_cast<std::size_t>(i)]),
+                  kAtCorner * sizes(world, a.body, b.body));
+    if (corner == nullptr) return std::nullopt;
+    face->tip = corner->vertex;
+  }
+  face->toucher = other.body;
+  face->toucher_part = other.part;
+  face->body = own.body;
   return face;
 }
 
-// m: where the disc is along the face, from its start.
-double place_along(const World& world, const DiscOnFace& on, const Motion& disc, const Motion& body) {
+// m: where the disc or corner is along the face, from its start.
+double place_along(const World& world, const TouchOnFace& on, const Motion& toucher, const Motion& body) {
   const Geometry& g = world.shapes();
   const Pose of_face = g.part_pose(on.body, on.part, g.pose(on.body, body.head<3>()));
-  const Pose of_disc = g.part_pose(on.disc, on.disc_part, g.pose(on.disc, disc.head<3>()));
-  return cross(on.normal, Vec2(of_face.turned_back(of_disc.position - of_face.position) - on.vertex));
+  const Pose of_tip = g.part_pose(on.toucher, on.toucher_part, g.pose(on.toucher, toucher.head<3>()));
+  const Vec2 tip = of_tip.position + of_tip.turned(on.tip);
+  return cross(on.normal, Vec2(of_face.turned_back(Vec2(tip - of_face.position)) - on.vertex));
 }
 
 // m/s: how fast, about.
-double speed_along(const DiscOnFace& on, const Motion& disc, const Motion& body) {
-  const Vec2 arm = disc.head<2>() - body.head<2>();
-  const Vec2 u = disc.segment<2>(3) - body.segment<2>(3) - body[5] * crossed(arm);
+double speed_along(const World& world, const TouchOnFace& on, const Motion& toucher, const Motion& body) {
+  const Geometry& g = world.shapes();
+  const Pose of_tip = g.part_pose(on.toucher, on.toucher_part, g.pose(on.toucher, toucher.head<3>()));
+  const Vec2 tip = of_tip.position + of_tip.turned(on.tip);
+  const Vec2 u = toucher.segment<2>(3) + toucher[5] * crossed(Vec2(tip - toucher.head<2>())) -
+                 body.segment<2>(3) - body[5] * crossed(Vec2(tip - body.head<2>()));
   return u.dot(crossed(turned_by(body[2], on.normal)));
 }
 
-// m: of a place along the face, how far beyond the end that the disc moves to.
-double beyond(const DiscOnFace& on, double place) { return on.towards_end ? place - on.length : -place; }
+// m: of a place along the face, how far beyond the end that it moves to.
+double beyond(const TouchOnFace& on, double place) { return on.towards_end ? place - on.length : -place; }
 
-// Whether the face ends at its start or end for the disc: no other face or body goes on from there.
-bool ends_there(World& world, const DiscOnFace& on, double time, const Neighbours& neighbours) {
+bool is_corner(const World& world, const TouchOnFace& on) {
+  return !is_round(world.shapes().shapes, on.toucher_part);
+}
+
+// Whether the face ends at its start or end: no other face or body goes on from there.
+bool ends_there(World& world, const TouchOnFace& on, double time, const Neighbours& neighbours) {
   const Geometry& g = world.shapes();
   const Vec2 turned = turned_by(on.towards_end ? kLeastCorner : -kLeastCorner, on.normal);
   const Corner* corner = g.shapes.corners_of(on.part);
   for (int k = 0; k < g.shapes.corners[on.part]; ++k) {
     const Vec2& n = corner[k].normal;
-    if (corner[k].length > 0.0 && (n - on.normal).norm() > kDiscOnFace &&
+    if (corner[k].length > 0.0 && (n - on.normal).norm() > kOnFace &&
         n.dot(on.normal) > turned.dot(on.normal) && cross(on.normal, n) * (on.towards_end ? 1.0 : -1.0) > 0.0)
       return false;
   }
@@ -90,47 +152,78 @@ bool ends_there(World& world, const DiscOnFace& on, double time, const Neighbour
   const Pose of_face = g.part_pose(on.body, on.part, pose(on.body));
   const Vec2 end = on.towards_end ? Vec2(on.vertex + on.length * crossed(on.normal)) : on.vertex;
   const Vec2 out = of_face.turned(turned_by(on.towards_end ? kBeyond : -kBeyond, on.normal));
-  const auto [a, b] = std::minmax(on.disc, on.body);
+  const auto [a, b] = std::minmax(on.toucher, on.body);
   Contact contact{0.0, a == on.body ? out : Vec2(-out), of_face.position + of_face.turned(end)};
   if (g.has_parts(a) || g.has_parts(b))
-    contact.parts = a == on.body ? ShapePair{on.part, on.disc_part} : ShapePair{on.disc_part, on.part};
+    contact.parts = a == on.body ? ShapePair{on.part, on.toucher_part} : ShapePair{on.toucher_part, on.part};
   return !on_internal_edge(world, a, b, contact, neighbours.of_pair(world, a, b), pose);
 }
 
 }  // namespace
 
-void find_discs_near_ends(const World& world, const FoundContacts& found, double h,
-                          std::vector<DiscOnFace>& discs) {
-  discs.clear();
+void find_touches_near_ends(const World& world, const FoundContacts& found, double h,
+                            std::vector<TouchOnFace>& touches) {
+  touches.clear();
   for (int i = 0; i < found.contacts.size(); ++i) {
-    std::optional<DiscOnFace> on = disc_on_face(world, found, i);
+    std::optional<TouchOnFace> on = touch_on_face(world, found, i);
     if (!on) continue;
-    const Motion disc = world.trajectories.at_start(on->disc);
+    const Motion toucher = world.trajectories.at_start(on->toucher);
     const Motion body = world.trajectories.at_start(on->body);
-    const double speed = speed_along(*on, disc, body);
+    const double speed = speed_along(world, *on, toucher, body);
     on->towards_end = speed > 0.0;
-    on->left = -beyond(*on, place_along(world, *on, disc, body));
-    const double size = world.shapes().size[on->body] + world.shapes().size[on->disc];
+    on->left = -beyond(*on, place_along(world, *on, toucher, body));
+    const double at_end = (is_corner(world, *on) ? kCornerAtEnd : kAtEnd) * sizes(world, on->body, on->toucher);
     const double press = std::abs(found.press[static_cast<std::size_t>(i)]);
     // Forces may double the speed.
-    if (on->left > kAtEnd * size && on->left <= (2.0 * std::abs(speed) + press * h) * h) discs.push_back(*on);
+    if (on->left > at_end && on->left <= (2.0 * std::abs(speed) + press * h) * h) touches.push_back(*on);
   }
 }
 
-double first_face_end(World& world, const std::vector<DiscOnFace>& discs, const Neighbours& neighbours,
+double first_face_end(World& world, const std::vector<TouchOnFace>& touches, const Neighbours& neighbours,
                       double h) {
   double first = h;
-  for (const DiscOnFace& on : discs) {
+  for (const TouchOnFace& on : touches) {
+    const double before = is_corner(world, on) ? kBeforeEnd * sizes(world, on.body, on.toucher) : 0.0;
     const auto past = [&](double t) {
-      return beyond(
-          on, place_along(world, on, world.trajectories.at(on.disc, t), world.trajectories.at(on.body, t)));
+      return before + beyond(on, place_along(world, on, world.trajectories.at(on.toucher, t),
+                                             world.trajectories.at(on.body, t)));
     };
     const double then = past(first);
     if (!(then > 0.0)) continue;
-    const double time = bracketed_root(past, 0.0, -on.left, first, then);
+    const double time = bracketed_root(past, 0.0, before - on.left, first, then);
     if (ends_there(world, on, time, neighbours)) first = time;
   }
   return first;
+}
+
+bool leaves_corner(const World& world, const FoundContacts& found, int i, double h) {
+  const ConvexShapes& shapes = world.shapes().shapes;
+  const auto is_sharp = [&](ShapeIndex part) {
+    return shapes.rounding[part] == 0.0 && shapes.core[part] != Core::kHalfPlane;
+  };
+  const auto parts =
+      parts_at(world.shapes(), found.contacts.a[i], found.contacts.b[i], found.id[static_cast<std::size_t>(i)]);
+  if (!is_sharp(parts.a) || !is_sharp(parts.b)) return false;
+  const auto [a, b] = sides_of(world, found, i);
+  const double near = kAtCorner * sizes(world, a.body, b.body);
+  const Vec2 point = found.point[static_cast<std::size_t>(i)];
+  const auto velocity = [&](BodyIndex body) {
+    const Motion y = world.trajectories.at_start(body);
+    return Vec2(y.segment<2>(3) + y[5] * crossed(Vec2(point - y.head<2>())));
+  };
+  const Vec2 u = velocity(b.body) - velocity(a.body);
+  // A point of no size is its own corner, without a face.
+  const auto moves_out = [&](const Sides::Side& side, const Vec2& away) {
+    if (is_round(shapes, side.part)) return true;
+    const Corner* corner = corner_at(shapes, side.part, side.of_part(point), near);
+    if (corner == nullptr) return false;
+    const Corner* first = shapes.corners_of(side.part);
+    const Corner* before = corner == first ? first + shapes.corners[side.part] - 1 : corner - 1;
+    return h * std::max(side.pose.turned(corner->normal).dot(away),
+                        side.pose.turned(before->normal).dot(away)) >
+           near;
+  };
+  return moves_out(a, u) && moves_out(b, -u);
 }
 
 }  // namespace carom

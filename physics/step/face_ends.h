@@ -8,10 +8,11 @@
 
 namespace carom {
 
-// A disc on a face of another body.
-struct DiscOnFace {
-  BodyIndex disc = kNoBody;
-  ShapeIndex disc_part = kNoShape;
+// A disc, or a corner, that touches a face of another body.
+struct TouchOnFace {
+  BodyIndex toucher = kNoBody;
+  ShapeIndex toucher_part = kNoShape;
+  Vec2 tip = Vec2::Zero();  // m, the disc's centre or the corner, in the frame of its part
   BodyIndex body = kNoBody;
   ShapeIndex part = kNoShape;
   Vec2 normal = Vec2::Zero();  // unit, out of the face, in its body's frame
@@ -21,17 +22,19 @@ struct DiscOnFace {
   double left = 0.0;           // m, to the end that it moves to
 };
 
-// A disc that runs off the end of a face is on its corner from then on, and may leave it at once: what has
-// pressed it ends, or changes, at that moment.
+// What runs off the end of a face is at its corner from then on, and may leave it at once: what has pressed it
+// ends, or changes, at that moment.
 //
-// The contacts whose disc may do so within h s of the trajectories' epoch; none that has passed the end
-// already.
-void find_discs_near_ends(const World& world, const FoundContacts& found, double h,
-                          std::vector<DiscOnFace>& discs);
-// The first of these discs to do so, on the motions under the forces that are on the trajectories: when, in s;
-// h if none does within h. Faces that another body continues have no end there, nor have those that turn a
-// little into the next.
-[[nodiscard]] double first_face_end(World& world, const std::vector<DiscOnFace>& discs,
+// The contacts that may do so within h s of the trajectories' epoch; none that has passed the end already.
+void find_touches_near_ends(const World& world, const FoundContacts& found, double h,
+                            std::vector<TouchOnFace>& touches);
+// The first of them to do so, on the motions under the forces that are on the trajectories: when, in s; h if
+// none does within h. Faces that another body continues have no end there, nor have those that turn a little
+// into the next.
+[[nodiscard]] double first_face_end(World& world, const std::vector<TouchOnFace>& touches,
                                     const Neighbours& neighbours, double h);
+// Whether contact i is that of two corners that leave each other within h s: each moves out of the other body.
+// Nothing presses them any more.
+[[nodiscard]] bool leaves_corner(const World& world, const FoundContacts& found, int i, double h);
 
 }  // namespace carom

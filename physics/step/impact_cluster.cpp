@@ -93,8 +93,8 @@ void ImpactCluster::fill(World& world) {
     const SurfaceLaw& material = world.material(t.contact, t.a, t.b);
     contacts_.push_back({column(t.a), column(t.b), t.contact.normal,
                          t.contact.point - world.trajectories.at_start(t.a).head<2>(),
-                         t.contact.point - world.trajectories.at_start(t.b).head<2>(), material.restitution,
-                         material.kinetic_friction});
+                         t.contact.point - world.trajectories.at_start(t.b).head<2>(),
+                         t.rests ? 0.0 : material.restitution, material.kinetic_friction});
     closing_.push_back(-world.parting_speed(t.a, t.b, t.contact));
   }
   free_answers(inverse_mass, inverse_inertia, contacts_, free_);
@@ -167,6 +167,13 @@ bool ImpactCluster::resolve(World& world, double within, ClusterRestitution rest
   return true;
 }
 
+const ImpactCluster::Touch* ImpactCluster::acts_alone() const {
+  const auto acts = [](const Impact& impact) { return impact.normal > 0.0; };
+  const auto first = std::find_if(impacts_.begin(), impacts_.end(), acts);
+  if (first == impacts_.end() || std::any_of(first + 1, impacts_.end(), acts)) return nullptr;
+  return &touches_[static_cast<std::size_t>(first - impacts_.begin())];
+}
+
 // One jump for each entry of the log: the first one has all of the motion.
 void ImpactCluster::record(World& world, double within, State before, const Ledger& ledger_before) {
   const auto wants_jump = [&] { return world.log.wants_jump(world.model->bodies()); };
@@ -178,7 +185,7 @@ void ImpactCluster::record(World& world, double within, State before, const Ledg
   }
   Ledger recorded = ledger_before;
   for (std::size_t k = 0; k < touches_.size(); ++k) {
-    const auto& [a, b, contact] = touches_[k];
+    const auto& [a, b, contact, rests] = touches_[k];
     if (!(impacts_[k].normal > 0.0)) continue;
     record_impact(world, a, b, contact, impacts_[k], closing_[k], within);
     record_impulse(world, a, b, contact, impacts_[k]);

@@ -50,6 +50,7 @@ class ImpactCluster {
     BodyIndex a;
     BodyIndex b;
     Contact contact;
+    bool rests = false;  // both stay in touch: without restitution
     friend BodyPair ends_of(const Touch& touch) { return {touch.a, touch.b}; }
   };
 
@@ -57,6 +58,7 @@ class ImpactCluster {
   // Bodies a < b.
   void add(BodyIndex a, BodyIndex b, const Contact& contact) { touches_.push_back({a, b, contact}); }
   [[nodiscard]] std::span<const Touch> touches() const { return touches_; }
+  [[nodiscard]] std::span<Touch> touches() { return touches_; }
   // Keeps, of the touches that close, those that bodies which move connect with a or b, and none that closes
   // much slower than others: it is another impact's, or rounding. With velocities `motion(body)`.
   template <class MotionOf>
@@ -79,6 +81,8 @@ class ImpactCluster {
   // records the impacts and keeps the ledger. False if no impulses satisfy the law, which is noted, if they
   // round to nothing, or if one impact alone keeps the others from closing; then no velocity has changed.
   [[nodiscard]] bool resolve(World& world, double within, ClusterRestitution restitution);
+  // After resolve() was false: the touch whose impact alone keeps the others from closing; null if none does.
+  [[nodiscard]] const Touch* acts_alone() const;
   // By touch, after resolve(); those without an impulse did not take part.
   [[nodiscard]] std::span<const Impact> impacts() const { return impacts_; }
 

@@ -48,6 +48,9 @@ constexpr double kMostMotion = 0.1;
 constexpr int kMostEnds = 3;
 constexpr double kAbout = 0.9;
 constexpr double kWhole = 1.0 - 1e-6;
+// Of the time until a face ends.
+constexpr double kShortly = 0.99;
+
 // s after the epoch: when an applied force on a body in contact changes its law first; h if none does within h.
 double first_break(const World& world, const Contacts& contacts, double h) {
   if (!world.field().has_breaks()) return h;
@@ -84,17 +87,16 @@ void RestingContacts::support(World& world, double h, bool may_divide) {
   take_off_forces(world);
   find_contacts(world, h);
   supported_ = h;
+  linear_.begin_part(world.trajectories.epoch(), step_length_);
   if (may_divide) {
     supported_ = first_break(world, found_.contacts, h);
-    find_discs_near_ends(world, found_, supported_, near_ends_);
+    find_touches_near_ends(world, found_, supported_, near_ends_);
     if (!near_ends_.empty()) {
       push_as_before(world);
-      supported_ = first_face_end(world, near_ends_, finder_.neighbours(), supported_);
-      take_off_forces(world);
+      supported_ = end_of_faces(world, supported_);
     }
     if (supported_ < h) find_contacts(world, supported_);
   }
-  linear_.begin_part(world.trajectories.epoch(), step_length_);
   double holds = hold(world, supported_, may_divide ? 0.0 : kWhole * supported_);
   for (int round = 1; may_divide && holds < kWhole * supported_; ++round) {
     supported_ = holds;
@@ -105,9 +107,26 @@ void RestingContacts::support(World& world, double h, bool may_divide) {
   }
 }
 
+// The first end of a face within h s, first on the forces that are on the trajectories, and then on those found
+// until shortly before: past the end a corner's contact is another one.
+double RestingContacts::end_of_faces(World& world, double h) {
+  double end = first_face_end(world, near_ends_, finder_.neighbours(), h);
+  take_off_forces(world);
+  if (!(end < h)) return h;
+  find_contacts(world, kShortly * end);
+  hold(world, kShortly * end, 0.0);
+  end = first_face_end(world, near_ends_, finder_.neighbours(), h);
+  take_off_forces(world);
+  return end;
+}
+
 void RestingContacts::find_contacts(World& world, double h) {
   pressing_.find(world, step_length_, memory_);
   finder_.find(world, step_length_, h, pressing_, memory_, found_);
+  for (int i = 0; i < found_.contacts.size(); ++i) {
+    if (leaves_corner(world, found_, i, h))
+      found_.contacts.target[i] = -std::numeric_limits<double>::infinity();
+  }
 }
 
 int RestingContacts::support_part(World& world, double step, int left) {
@@ -268,6 +287,13 @@ void RestingContacts::record_forces(World& world, double passed, double share) {
   }
   record_support(world, found_.contacts, linear_, share, moved_, passed, flight_);
   linear_.record(world, passed);
+}
+
+bool RestingContacts::is_disturbed(BodyIndex a, BodyIndex b) const {
+  const auto pushes = [&](BodyIndex i) {
+    return std::binary_search(memory_.pushed.begin(), memory_.pushed.end(), i);
+  };
+  return found_.contacts.size() <= kFewContactsOfScene && (pushes(a) || pushes(b));
 }
 
 void RestingContacts::release(World& world) {

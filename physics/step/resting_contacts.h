@@ -29,7 +29,7 @@ struct LandingTime {
 // 1. finds the manifolds of all pairs that may touch within the step; a point that the forces can press
 //    together becomes a contact (contact_finder.h, contact_pressing.h);
 // 2. projects deep penetrations out: positions move, velocities don't;
-// 3. stops approaches: a contact that closes, or would within the step, loses its closing speed at once;
+// 3. stops approaches: a contact that closes, or may within the step (contact_finder.h), loses its speed;
 // 4. finds contact forces, constant during the step, such that the velocities satisfy the contacts at its
 //    end, after the integrator's own flight (contact_turning.h). They act on the trajectories like any other
 //    force. A new contact that is still open by a gap g may close at g/h.
@@ -45,8 +45,8 @@ class RestingContacts {
   // Starts a step of h s at the clock's time.
   void begin_step(World& world, double h);
   // Supports bodies for h s from the trajectories' epoch on; with may_divide for less, where before that a disc
-  // runs off the end of a face (face_ends.h), a contact changes its mode (gauss_contacts.h) or a force its law.
-  // The state must be published.
+  // or corner runs off the end of a face (face_ends.h), a contact changes its mode (gauss_contacts.h) or a
+  // force its law. The state must be published.
   void support(World& world, double h, bool may_divide);
   // s: for how long support() was.
   [[nodiscard]] double supported() const { return supported_; }
@@ -64,6 +64,9 @@ class RestingContacts {
   // Of these pairs, those that penetrate at the step's end and close faster than a contact may rest rebound
   // by the law of impacts.
   void rebound_at_end(World& world, const std::vector<BodyPair>& pairs) const;
+  // Whether an impact of these bodies changes the contact forces, in a scene with few: they are found again
+  // then.
+  [[nodiscard]] bool is_disturbed(BodyIndex a, BodyIndex b) const;
   // Takes all contact forces off the trajectories and forgets the contacts.
   void release(World& world);
   // After a step that was given up.
@@ -81,6 +84,7 @@ class RestingContacts {
  private:
   void take_off_forces(World& world);
   void find_contacts(World& world, double h);
+  double end_of_faces(World& world, double h);
   double hold(World& world, double h, double least);
   [[nodiscard]] int parts_at_once(const World& world, double h);
   void project_penetrations(World& world);
@@ -112,7 +116,7 @@ class RestingContacts {
   std::vector<std::uint8_t> sticks_;
   HitsAtOnce at_once_;
   GaussContacts linear_;
-  std::vector<DiscOnFace> near_ends_;
+  std::vector<TouchOnFace> near_ends_;
   std::vector<std::uint8_t> struck_;  // by body, in this step
   std::vector<BodyIndex> bodies_;     // of an island
   std::vector<int> partners_;         // by body: how many others it may touch

@@ -182,15 +182,20 @@ std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, BodyIn
   for (const int island : islands) {
     if (trajectories.start(trajectories.members(island).front()) != time) trajectories.advance_to(island, time);
   }
+  for (ImpactCluster::Touch& touch : cluster_.touches())
+    touch.rests = !all && comes_to_rest(step, touch.a, touch.b, touch.contact);
   if (!cluster_.resolve(world, time, all ? ClusterRestitution::kSmallest : ClusterRestitution::kOwn)) {
+    if (const ImpactCluster::Touch* alone = cluster_.acts_alone())
+      return resolve_alone(step, alone->a, alone->b, alone->contact, time, false);
     rebuild_and_search(step, islands);
     return std::nullopt;
   }
   bool divides = false;
   for (std::size_t k = 0; k < cluster_.touches().size(); ++k) {
-    const auto& [i, j, contact] = cluster_.touches()[k];
+    const auto& [i, j, contact, rests] = cluster_.touches()[k];
     if (!(cluster_.impacts()[k].normal > 0.0)) continue;
     divides |= classify_rebound(step, i, j, contact, world.material(contact, i, j), time, false);
+    note_disturbed(step, i, j, time);
   }
   count_at_once(world, time);
   rebuild_and_search(step, islands);

@@ -1,0 +1,162 @@
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <string>
+
+#include "physics/math/vectors.h"
+#include "physics/run/simulation.h"
+#include "tests/support/scenes.h"
+
+// Where bodies rest or slide, what happens within a step counts from its own moment on: a hit on a resting
+// body, a landing, a corner that slides off the end of a face.
+namespace carom {
+namespace {
+
+constexpr double kGravity = 9.81;  // m/s²
+constexpr double kSteps[] = {1.0 / 60.0, 0.008, 0.005, 1.0 / 240.0};
+
+Body fixed(const std::string& name, const Shape& shape, const Vec2& position) {
+  Body b;
+  b.name = name;
+  b.shape = shape;
+  b.position = position;
+  b.fixed = true;
+  return b;
+}
+
+RunSetup setup(double restitution, double friction, double step) {
+  RunSetup s = test::setup_with({}, restitution, friction);
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+  return s;
+}
+
+void turn(RunSetup& s, double angle) {
+  s.scene.forces.gravity = turned_by(angle, s.scene.forces.gravity);
+  for (Body& b : s.scene.bodies) {
+    b.position = turned_by(angle, b.position);
+    b.velocity = turned_by(angle, b.velocity);
+    b.angle += angle;
+  }
+}
+
+double drift(const Simulation& run) { return run.ledger().numerical_drift(run.totals().energy()); }
+
+// A smooth disc at 1 m/s hands all of its motion over to an equal body that rests on a rough floor; where in
+// the step it does so makes no difference.
+TEST(WithinAStep, AStruckBodySlidesFromTheHitOn) {
+  constexpr double kFriction = 0.2;
+  for (const bool box : {true, false}) {
+    for (const double step : kSteps) {
+      for (const double start : {-0.05 - 0.3, -0.05 - 0.237, -0.05 - 0.1}) {
+        RunSetup s = setup(1.0, kFriction, step);
+        s.scene.bodies = {fixed("floor", Wall{}, {0.0, 0.0}),
+                          test::disc("first", {start, 0.05}, {1.0, 0.0}, 0.05, 1.0),
+                          test::disc("second", {0.1, 0.05}, {0.0, 0.0}, 0.05, 1.0)};
+        if (box) s.scene.bodies[2].shape = Box{0.1, 0.1};
+        Material smooth = s.scene.materials.front();
+        smooth.name = "smooth";
+        smooth.kinetic_friction = smooth.static_friction = 0.0;
+        s.scene.materials.push_back(smooth);
+        s.scene.bodies[1].material = "smooth";
+        Simulation run(s);
+        const double hit = 0.05 - start - 0.05;  // s
+        run.advance_to(2.0);
+        const double slows = kFriction * kGravity;
+        // A disc slides until it rolls, at two thirds of its speed.
+        const double slides = box ? 1.0 / slows : 1.0 / (3.0 * slows);
+        const double place =
+            box ? 0.1 + 0.5 / slows
+                : 0.1 + slides - 0.5 * slows * slides * slides + 2.0 / 3.0 * (2.0 - hit - slides);
+        EXPECT_NEAR(run.state().position(2).x(), place, 1e-9) << (box ? "box" : "disc") << ", h = " << step;
+        EXPECT_NEAR(drift(run), 0.0, 1e-12);
+      }
+    }
+  }
+}
+
+// The bounces that are too short to follow are lost to restitution, with all that is left of them.
+TEST(WithinAStep, ABouncingBallLosesItsEnergyToRestitution) {
+  for (const double restitution : {0.0, 0.3, 0.5, 0.8}) {
+    for (const double step : kSteps) {
+      RunSetup s = setup(restitution, 0.0, step);
+      s.scene.bodies = {fixed("floor", Wall{}, {0.0, 0.0}),
+                        test::disc("ball", {0.0, 0.6}, {0.0, 0.0}, 0.1, 1.0)};
+      Simulation run(s);
+      run.advance_to(4.0);
+      EXPECT_NEAR(run.ledger().lost_to_restitution, kGravity * 0.5, 1e-12) << restitution << ", h = " << step;
+      EXPECT_NEAR(run.state().position(1).y(), 0.1, 1e-13);
+    }
+  }
+}
+
+// A smooth box that slides over a table's edge at 1 m/s tips about it until its rear corner is there, with this
+// spin: two coupled equations of motion, solved by a Runge-Kutta method with steps of 10 µs.
+TEST(WithinAStep, ABoxThatTipsOffATableIsFreeFromItsRearCornerOn) {
+  constexpr double kSpin = -3.63068677;
+  for (const double side : {1.0, -1.0}) {
+    for (const double angle : {0.0, 0.3}) {
+      for (const double step : {1.0 / 60.0, 0.005, 0.001}) {
+        RunSetup s = setup(0.0, 0.0, step);
+        Body box = test::disc("box", {side * -0.237, 0.05}, {side, 0.0}, 0.05, 1.0);
+        box.shape = Box{0.2, 0.1};
+        s.scene.bodies = {fixed("table", Box{1.0, 0.2}, {side * -0.5, -0.1}), box};
+        turn(s, angle);
+        Simulation run(s);
+        run.advance_to(0.5);
+        EXPECT_NEAR(side * run.state().v(2, 1), kSpin, 1e-3) << side << ", " << angle << ", h = " << step;
+      }
+    }
+  }
+}
+
+TEST(WithinAStep, APointLeavesATableAtItsEdge) {
+  for (const double step : kSteps) {
+    RunSetup s = setup(0.0, 0.0, step);
+    s.scene.bodies = {fixed("table", Box{1.0, 0.2}, {-0.5, -0.1}),
+                      test::disc("point", {-0.437, 0.0}, {1.3, 0.0}, 0.0, 1.0)};
+    Simulation run(s);
+    run.advance_to(0.62);
+    const double falls = 0.62 - 0.437 / 1.3;
+    EXPECT_NEAR(run.state().position(1).y(), -0.5 * kGravity * falls * falls, 1e-9) << "h = " << step;
+  }
+}
+
+// Two thin walls end to end are one: which side of them is touched does not hang on rounding at their ends.
+TEST(WithinAStep, ABoxSlidesOverTheSeamOfTwoThinWalls) {
+  for (const double angle : {0.0, 0.1, 0.3, -1.0}) {
+    for (const double start : {-0.57, -0.571, -0.5637, -0.6}) {
+      for (const double step : kSteps) {
+        RunSetup s = setup(0.0, 0.0, step);
+        Body box = test::disc("box", {start, 0.1}, {1.0, 0.0}, 0.1, 1.0);
+        box.shape = Box{0.2, 0.2};
+        s.scene.bodies = {fixed("left", Wall{1.0}, {-0.5, 0.0}), fixed("right", Wall{2.0}, {1.0, 0.0}), box};
+        turn(s, angle);
+        Simulation run(s);
+        run.advance_to(1.2);
+        EXPECT_NEAR(run.state().velocity(2).dot(direction_at(angle)), 1.0, 1e-9)
+            << angle << ", " << start << ", h = " << step;
+        EXPECT_EQ(run.impact_count(), 0);
+      }
+    }
+  }
+}
+
+TEST(WithinAStep, TwoSquaresLandFlatOnTwoThinWalls) {
+  for (const double place : {0.13, 0.2, 0.0, -0.03}) {
+    for (const double step : {1.0 / 60.0, 0.005}) {
+      RunSetup s = setup(1.0, 0.4, step);
+      Body body = test::disc("body", {place, 0.57}, {0.0, 0.0}, 0.1, 1.0);
+      body.shape = Compound{{{Box{0.2, 0.2}, {-0.1, 0.0}, 0.0, ""}, {Box{0.2, 0.2}, {0.1, 0.0}, 0.0, ""}}};
+      s.scene.bodies = {fixed("left", Wall{1.0}, {-0.4, 0.0}), fixed("right", Wall{1.0}, {0.6, 0.0}), body};
+      Simulation run(s);
+      run.advance_to(0.6);
+      EXPECT_NEAR(run.state().v(2, 2), 0.0, 1e-9) << place << ", h = " << step;
+      EXPECT_NEAR(run.totals().energy(), kGravity * 0.57, 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom
