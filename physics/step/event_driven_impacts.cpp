@@ -32,8 +32,8 @@ constexpr int kImpactsBeforeGuardPerBody = 4;
 // Parts into which new supports divide a step; a body that comes to rest in the last part is supported from
 // the next step on.
 constexpr int kMostParts = 8;
-// Of the speed with which forces press a pair together within a step: in a scene with few contacts only
-// rebounds slower than this share rest, and what bounces takes up to half a step longer at most with e = 1/2.
+// In a scene with few contacts only rebounds rest that are slower than this share of the speed by which forces
+// press the pair together within a step. With e = 1/2 the bounces left out would last half a step at most.
 constexpr double kLastShare = 0.125;
 // Limits for each later step of a run that has once reached kMostImpactsPerStep or kMostImpactsAtOnce (a
 // piston crushing an elastic disc, say), so that it still advances.
