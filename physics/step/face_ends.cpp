@@ -111,20 +111,24 @@ std::optional<TouchOnFace> touch_on_face(const World& world, const FoundContacts
   return face;
 }
 
+// m, in the plane.
+Vec2 place_of_tip(const World& world, const TouchOnFace& on, const Motion& toucher) {
+  const Geometry& g = world.shapes();
+  const Pose pose = g.part_pose(on.toucher, on.toucher_part, g.pose(on.toucher, toucher.head<3>()));
+  return pose.position + pose.turned(on.tip);
+}
+
 // m: where the disc or corner is along the face, from its start.
 double place_along(const World& world, const TouchOnFace& on, const Motion& toucher, const Motion& body) {
   const Geometry& g = world.shapes();
   const Pose of_face = g.part_pose(on.body, on.part, g.pose(on.body, body.head<3>()));
-  const Pose of_tip = g.part_pose(on.toucher, on.toucher_part, g.pose(on.toucher, toucher.head<3>()));
-  const Vec2 tip = of_tip.position + of_tip.turned(on.tip);
+  const Vec2 tip = place_of_tip(world, on, toucher);
   return cross(on.normal, Vec2(of_face.turned_back(Vec2(tip - of_face.position)) - on.vertex));
 }
 
 // m/s: how fast, about.
 double speed_along(const World& world, const TouchOnFace& on, const Motion& toucher, const Motion& body) {
-  const Geometry& g = world.shapes();
-  const Pose of_tip = g.part_pose(on.toucher, on.toucher_part, g.pose(on.toucher, toucher.head<3>()));
-  const Vec2 tip = of_tip.position + of_tip.turned(on.tip);
+  const Vec2 tip = place_of_tip(world, on, toucher);
   const Vec2 u = toucher.segment<2>(3) + toucher[5] * crossed(Vec2(tip - toucher.head<2>())) -
                  body.segment<2>(3) - body[5] * crossed(Vec2(tip - body.head<2>()));
   return u.dot(crossed(turned_by(body[2], on.normal)));
