@@ -151,11 +151,12 @@ WorldRect bounds_of(const Film& film, std::span<const double> times, const std::
 }  // namespace
 
 std::vector<double> film_times(const Film& film) {
-  const auto check = [](bool good, const char* what, double value, const char* allowed) {
+  const auto check = [](bool good, const char* what, double value, const std::string& allowed) {
     if (!good) throw SceneError(fmt::format("{}: {} is not allowed; allowed: {}", what, value, allowed));
   };
   check(film.from >= 0.0, "from", film.from, "a time from 0 s");
-  check(film.to >= film.from && std::isfinite(film.to), "to", film.to, "a time not before the film's start");
+  check(film.to >= film.from && std::isfinite(film.to), "to", film.to,
+        fmt::format("a time from the film's first moment, {} s, on", film.from));
   check(film.rate > 0.0 && film.rate <= 1000.0, "frames a second", film.rate, "above 0, up to 1000");
   check(film.speed >= 1e-9 && film.speed <= 1e9, "speed", film.speed, "from 1e-9 to 1e9");
   check(film.pixels.width() % 2 == 0, "width", film.pixels.width(), "an even number, which films need");

@@ -29,9 +29,9 @@ void LabWindow::connect_stops() {
 void LabWindow::show_stops() {
   transport_->timeline().set_stops(preset().stops);
   stop_editor_->set_document(preset().stops, session_.history().bodies());
-  RunPlan plan{.duration = preset().duration};
-  for (const Stop& stop : preset().stops) plan.stops << QString::fromStdString(sentence_of(stop));
-  inspector_->show_plan(plan);
+  DurationAndStops shown{.duration = preset().duration};
+  for (const Stop& stop : preset().stops) shown.stops << QString::fromStdString(sentence_of(stop));
+  inspector_->show_duration_and_stops(shown);
 }
 
 void LabWindow::edit_stops(std::optional<std::size_t> stop) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/step/run_clock.h"
+
 namespace carom {
 namespace {
 
@@ -13,7 +15,6 @@ constexpr int kPause = 60;           // looks
 }  // namespace
 
 bool near_impact(const KnownImpacts& impacts, double time) {
-  constexpr double kRounding = 1e-6;  // of a step
   const double from = std::max(impacts.from, time - kNearImpact);
   const double to = std::min(impacts.to, time + kNearImpact);
   const auto first = std::lower_bound(impacts.times.begin(), impacts.times.end(), from);
@@ -21,7 +22,7 @@ bool near_impact(const KnownImpacts& impacts, double time) {
   if (first == last) return false;
   // An impact at the end of a step is one of that step.
   const auto step_of = [&impacts](double t) {
-    return std::ceil((t - impacts.step_end) / impacts.step - kRounding);
+    return std::ceil((t - impacts.step_end) / impacts.step - kSameMoment);
   };
   double with_impact = 0.0;
   double counted = step_of(from) - 1.0;
@@ -30,7 +31,7 @@ bool near_impact(const KnownImpacts& impacts, double time) {
     if (number > counted) ++with_impact;
     counted = std::max(counted, number);
   }
-  const double steps = std::floor((to - from) / impacts.step + kRounding);
+  const double steps = std::floor((to - from) / impacts.step + kSameMoment);
   return steps < 2.0 || with_impact < kNearlyEach * steps;
 }
 

@@ -109,7 +109,7 @@ RunGroup::Frames RunGroup::cut(EditId edit, double time, const std::vector<RunEd
 
 void RunGroup::seek_past(const PastMoment& moment) {
   if (interrupted_ || runs_.empty()) return;
-  std::vector<Past::Original> originals;
+  std::vector<PastRuns::Original> originals;
   for (const Run& run : runs_) originals.push_back({run.live, run.id});
   past_.seek(moment, originals, token_);
 }

@@ -12,7 +12,7 @@
 #include "physics/preset/preset.h"
 #include "physics/record/frame.h"
 #include "physics/worker/live_run.h"
-#include "physics/worker/past.h"
+#include "physics/worker/past_runs.h"
 
 namespace carom {
 
@@ -66,8 +66,8 @@ class RunGroup {
   // --- the past
   // Copies of the runs go to a moment of their past; the runs stay as they are.
   void seek_past(const PastMoment& moment);
-  [[nodiscard]] Past& past() { return past_; }
-  [[nodiscard]] const Past& past() const { return past_; }
+  [[nodiscard]] PastRuns& past() { return past_; }
+  [[nodiscard]] const PastRuns& past() const { return past_; }
 
   // Edits, from the displayed moment on. Nothing happens for a run that there is not.
   void add_run(const Method& method);  // at t = 0; at most kMostCompared besides the first
@@ -179,7 +179,7 @@ class RunGroup {
   ReferenceId reference_ = ReferenceId::kNone;
   StopRecord::Stops stops_;  // of the preset
   std::vector<Run> runs_;
-  Past past_;
+  PastRuns past_;
   std::map<EditId, RunsBegun> other_sides_;  // of edits: the runs before it, or after it if it is undone
   std::map<EditId, Kept> kept_;
   std::optional<double> replay_until_;

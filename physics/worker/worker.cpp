@@ -460,7 +460,7 @@ void Worker::wait_for_work(const std::stop_token& stop, const Work& work, std::v
 
 // One frame's work on the way to a moment of the past. Where that is long, the way is shown.
 void Worker::advance_past(Work& work) {
-  Past& past = work.runs.past();
+  PastRuns& past = work.runs.past();
   const Clock::time_point end = Clock::now() + kFramePeriod;
   try {
     while (past.step() && Clock::now() < end) {

@@ -124,13 +124,13 @@ struct InspectedRow {
 [[nodiscard]] std::vector<InspectedRow> inspected_scene(const Scene& scene);
 
 // What a document says of its runs beside the scene.
-struct RunPlan {
+struct DurationAndStops {
   double duration = 0.0;  // s
   QStringList stops{};    // their sentences
 
-  bool operator==(const RunPlan&) const = default;
+  bool operator==(const DurationAndStops&) const = default;
 };
-[[nodiscard]] std::vector<InspectedRow> inspected_plan(const RunPlan& plan);
+[[nodiscard]] std::vector<InspectedRow> inspected_duration_and_stops(const DurationAndStops& shown);
 
 // The surfaces and the pairs of them with a law of their own.
 [[nodiscard]] std::vector<InspectedRow> inspected_surfaces(const Scene& scene);

@@ -198,17 +198,17 @@ std::vector<InspectedRow> inspected_scene(const Scene& scene) {
   return shown;
 }
 
-std::vector<InspectedRow> inspected_plan(const RunPlan& plan) {
+std::vector<InspectedRow> inspected_duration_and_stops(const DurationAndStops& shown) {
   Inspected duration;
   duration.name = "Duration";
   duration.meaning = "how long a run lasts";
   duration.range = kDuration;
-  duration.values = {plan.duration};
+  duration.values = {shown.duration};
   duration.is_duration = true;
   duration.undo_name = [](const std::vector<double>& from, const std::vector<double>& to) {
     return "Duration " + change_text(from[0], to[0], kDuration.unit);
   };
-  const QString stops = plan.stops.isEmpty() ? "none" : plan.stops.join('\n');
+  const QString stops = shown.stops.isEmpty() ? "none" : shown.stops.join('\n');
   const InspectedAction editor{
       .text = "Edit the stops", .meaning = "What a run stops at, in one sentence each", .opens_stops = true};
   return {{.section = "Run", .label = "Duration", .values = {std::move(duration)}},

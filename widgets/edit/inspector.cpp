@@ -173,9 +173,9 @@ void Inspector::show_part(std::shared_ptr<const Scene> scene, PartId part) {
   choose(std::move(scene), {}, part);
 }
 
-void Inspector::show_plan(const RunPlan& plan) {
-  if (plan_ == plan) return;
-  plan_ = plan;
+void Inspector::show_duration_and_stops(const DurationAndStops& shown) {
+  if (duration_and_stops_ == shown) return;
+  duration_and_stops_ = shown;
   if (scene_ != nullptr && bodies_.empty() && !part_) show_rows();
 }
 
@@ -242,7 +242,7 @@ std::vector<InspectedRow> Inspector::rows() const {
   };
   if (bodies_.empty()) {
     add(inspected_scene(*scene_));
-    if (plan_) add(inspected_plan(*plan_));
+    if (duration_and_stops_) add(inspected_duration_and_stops(*duration_and_stops_));
     add(inspected_surfaces(*scene_));
     add(listed_parts(*scene_));
   } else {

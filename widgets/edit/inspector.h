@@ -42,7 +42,7 @@ class Inspector : public QWidget {
   // The same for a joint, a spring or a force.
   void show_part(std::shared_ptr<const Scene> scene, PartId part);
   // The duration and the stops of the runs, which stand with the scene.
-  void show_plan(const RunPlan& plan);
+  void show_duration_and_stops(const DurationAndStops& shown);
   // Whether a run plays, so that the scene which is shown next is another moment of it.
   void set_playing(bool playing) { plays_ = playing; }
   [[nodiscard]] const std::optional<PartId>& part() const { return part_; }
@@ -107,7 +107,7 @@ class Inspector : public QWidget {
   void hand_out_typed(int row, int field, const std::function<void()>& hand_out);
 
   std::shared_ptr<const Scene> scene_;
-  std::optional<RunPlan> plan_;
+  std::optional<DurationAndStops> duration_and_stops_;
   std::vector<std::string> names_;
   std::optional<PartId> part_;
   std::vector<Body> bodies_;

@@ -259,7 +259,7 @@ TEST_F(LabExportTest, TheFilmDialogShowsNumberAndLengthOfFrames) {
   EXPECT_TRUE(summary->text().contains("501 frames, a film of 20.04 s; 250 frames in a second of the run"))
       << summary->text().toStdString();
   numbers[0]->setValue(3.0);
-  EXPECT_TRUE(summary->text().contains("a time not before the film's start"));
+  EXPECT_TRUE(summary->text().contains("a time from the film's first moment"));
   EXPECT_FALSE(make->isEnabled());
   numbers[0]->setValue(1.0);
   EXPECT_TRUE(make->isEnabled());

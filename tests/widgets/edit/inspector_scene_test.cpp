@@ -49,7 +49,7 @@ TEST_F(InspectorSceneTest, TheDurationAndTheStopsStandWithTheScene) {
     name = text;
   });
   QObject::connect(&inspector_, &Inspector::stopsAsked, [&] { ++stops_asked; });
-  inspector_.show_plan({.duration = 5.0});
+  inspector_.show_duration_and_stops({.duration = 5.0});
   EXPECT_EQ(field("Duration, s")->text(), "5");
   EXPECT_TRUE(texts().contains("none"));
   enter(field("Duration, s"), "8");
@@ -58,7 +58,7 @@ TEST_F(InspectorSceneTest, TheDurationAndTheStopsStandWithTheScene) {
   EXPECT_TRUE(made_.empty()) << "it is no edit of the scene";
   enter(field("Duration, s"), "0");
   EXPECT_EQ(sentences(), QStringList{"Duration is more than 0."});
-  inspector_.show_plan({.duration = 8.0, .stops = {"at 2.5 s", "when all is at rest"}});
+  inspector_.show_duration_and_stops({.duration = 8.0, .stops = {"at 2.5 s", "when all is at rest"}});
   EXPECT_TRUE(texts().contains("at 2.5 s\nwhen all is at rest"));
   QTest::mouseClick(button("Edit the stops"), Qt::LeftButton);
   EXPECT_EQ(stops_asked, 1);

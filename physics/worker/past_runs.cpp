@@ -1,4 +1,4 @@
-#include "physics/worker/past.h"
+#include "physics/worker/past_runs.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,7 +7,8 @@
 
 namespace carom {
 
-void Past::seek(const PastMoment& moment, std::span<const Original> runs, const std::stop_token& interrupt) {
+void PastRuns::seek(const PastMoment& moment, std::span<const Original> runs,
+                    const std::stop_token& interrupt) {
   std::vector<PastRun> copies;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Original& from = runs[i];
@@ -28,12 +29,12 @@ void Past::seek(const PastMoment& moment, std::span<const Original> runs, const 
   if (from_newest) go_to_step(newest.steps() + std::exchange(sought_->by, 0));
 }
 
-void Past::go_to_step(std::int64_t steps) {
+void PastRuns::go_to_step(std::int64_t steps) {
   sought_->steps = std::min(steps, sought_->newest);
   runs_.front().stand_before_step(*sought_->steps);
 }
 
-bool Past::step() {
+bool PastRuns::step() {
   if (sought_->steps) return step_first();
   const auto farthest_behind = std::min_element(
       runs_.begin(), runs_.end(), [](const PastRun& a, const PastRun& b) { return a.next() < b.next(); });
@@ -52,7 +53,7 @@ bool Past::step() {
   return seeks();
 }
 
-bool Past::step_first() {
+bool PastRuns::step_first() {
   PastRun& first = runs_.front();
   if (!first.simulation().lost() && first.simulation().steps() < *sought_->steps) {
     first.step();
@@ -64,7 +65,7 @@ bool Past::step_first() {
 }
 
 // By a part of the first run's next step, or by the whole step.
-void Past::go_to_impact() {
+void PastRuns::go_to_impact() {
   const Simulation& first = runs_.front().simulation();
   const double step = first.method().step;
   const double part = *sought_->impact - first.time() - 0.5 * kSameMoment * step;
@@ -77,13 +78,13 @@ void Past::go_to_impact() {
 }
 
 // The others to where the first run is.
-void Past::follow_first() {
+void PastRuns::follow_first() {
   sought_->others_follow = true;
   sought_->time = runs_.front().simulation().time() + sought_->part;
   for (PastRun& run : std::span(runs_).subspan(1)) run.stand_before(sought_->time);
 }
 
-void Past::make_parts() {
+void PastRuns::make_parts() {
   if (sought_->part == 0.0) return;
   runs_.front().make_part(sought_->part, sought_->impact.has_value());
   const double time = runs_.front().shown().time();
@@ -93,7 +94,7 @@ void Past::make_parts() {
   }
 }
 
-std::vector<std::shared_ptr<Frame>> Past::frames() const {
+std::vector<std::shared_ptr<Frame>> PastRuns::frames() const {
   std::vector<std::shared_ptr<Frame>> frames;
   for (const PastRun& run : runs_) frames.push_back(run.frame());
   if (!seeks()) frames.front()->scene = std::make_shared<const Scene>(scene_now(runs_.front().shown()));

@@ -28,7 +28,7 @@ struct PastMoment {
 };
 
 // Copies of runs side by side on their way to a moment of their past.
-class Past {
+class PastRuns {
  public:
   struct Original {
     const LiveRun& run;
