@@ -287,8 +287,11 @@ void LabWindow::make_run_menus() {
   })->setToolTip(tr("At the shown moment; in a plot Shift and a click set it"));
   add_action(run, "flag", tr("Sto&ps..."), QKeySequence(Qt::Key_H), [this] { edit_stops(std::nullopt); });
   add_action(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { session_.starts().restart(); });
-  first_start_ = add_action(run, "", tr("&First start"), QKeySequence(Qt::CTRL | Qt::Key_R),
-                            [this] { session_.starts().go_to_first(); });
+  first_start_ = add_action(run, "", tr("&First start"), QKeySequence(Qt::CTRL | Qt::Key_R), [this] {
+    session_.starts().go_to_first();
+    if (preset().scene.bodies.empty())
+      say_for_a_while(tr("The first start is empty; Ctrl+Z brings the bodies back."));
+  });
   first_start_->setToolTip(tr("The experiment as it was opened or saved"));
   make_starts_menu(run);
   QMenu* methods = menuBar()->addMenu(tr("&Method"));

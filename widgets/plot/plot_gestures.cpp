@@ -62,7 +62,7 @@ bool PlotGestures::eventFilter(QObject* watched, QEvent* event) {
     }
     case QEvent::MouseButtonDblClick:
       grip_.reset();
-      emit resetAsked();
+      emit resetAsked(value_at(static_cast<QMouseEvent*>(event)->position()));
       return true;
     case QEvent::Leave:
       emit hovered(std::nullopt);

@@ -20,7 +20,7 @@ class PlotGestures : public QObject {
   void timeZoomAsked(double at, double factor);
   void valueZoomAsked(double at, double factor);
   void panAsked(const QPointF& from, const QPointF& to);  // asks to move the point `from` to `to`
-  void resetAsked();
+  void resetAsked(const QPointF& at);
   void clicked(const QPointF& at, Qt::KeyboardModifiers modifiers);  // not the end of a drag
   void hovered(const std::optional<QPointF>& at);
 

@@ -118,7 +118,10 @@ ReadingTable::ReadingTable(QWidget* parent)
                                     {"least", 67, false, 3},
                                     {"largest", 67, false, 3}},
                                    nullptr),
-                  parent) {}
+                  parent) {
+  // Curves of several methods differ in the end of their names.
+  setTextElideMode(Qt::ElideMiddle);
+}
 
 void ReadingTable::update_from(const std::vector<PlottedRun>& runs, const std::vector<PlotContent>& plots,
                                const ReadingMarks& marks) {

@@ -27,6 +27,7 @@
 #include "widgets/plot/plot_before.h"
 #include "widgets/plot/plot_gestures.h"
 #include "widgets/plot/plot_impacts.h"
+#include "widgets/plot/plot_labels.h"
 #include "widgets/plot/plot_notes.h"
 #include "widgets/plot/plot_playhead.h"
 #include "widgets/plot/plot_scale.h"
@@ -153,27 +154,17 @@ void RunPlot::build_plot() {
     marks_[i]->attach(plot_);
   }
 
-  // Placed over the canvas, so that they take no room from it.
-  auto* over = new QHBoxLayout(canvas);
-  over->setContentsMargins(4, 2, 4, 2);
-  readout_ = new PlainLabel(canvas);
-  chip_ = new PlainLabel(tr("zoomed · double-click to reset"), canvas);
-  for (QLabel* label : {readout_, chip_}) {
-    label->setObjectName("chip");
-    label->setAttribute(Qt::WA_TransparentForMouseEvents);
-    label->hide();
-  }
-  over->addWidget(readout_, 0, Qt::AlignTop);
-  over->addStretch(1);
-  over->addWidget(chip_, 0, Qt::AlignTop);
-
+  labels_ = new PlotLabels(plot_);
   zoom_box_ = new ZoomBox(plot_);
   connect(zoom_box_, qOverload<const QRectF&>(&QwtPlotPicker::selected), this, &RunPlot::boxAsked);
   auto* gestures = new PlotGestures(plot_);
   connect(gestures, &PlotGestures::timeZoomAsked, this, &RunPlot::timeZoomAsked);
   connect(gestures, &PlotGestures::valueZoomAsked, this, &RunPlot::valueZoomAsked);
   connect(gestures, &PlotGestures::panAsked, this, &RunPlot::panAsked);
-  connect(gestures, &PlotGestures::resetAsked, this, &RunPlot::resetAsked);
+  // The first click of a double click on an impact goes there; the second one does no more.
+  connect(gestures, &PlotGestures::resetAsked, this, [this](const QPointF& at) {
+    if (!over_time() || !impact_at(at)) emit resetAsked();
+  });
   connect(gestures, &PlotGestures::hovered, this, &RunPlot::hover);
   connect(gestures, &PlotGestures::clicked, this, [this](const QPointF& at, Qt::KeyboardModifiers modifiers) {
     click(at, modifiers.testFlag(Qt::ShiftModifier));
@@ -196,7 +187,7 @@ void RunPlot::set_theme(const Theme& theme) {
     label.setColor(theme.accent);
     marks_[i]->setLabel(label);
   }
-  for (QLabel* label : {chip_, readout_}) label->setStyleSheet("color: " + theme.muted.name());
+  labels_->set_color(theme.muted);
   axes_->set_color(theme.muted);
   zoom_box_->setRubberBandPen(QPen(theme.accent, 1.0, Qt::DashLine));
   theories_->set_theme(theme);
@@ -400,7 +391,7 @@ void RunPlot::set_notes(const std::vector<PlotNote>& notes) {
 
 std::optional<std::size_t> RunPlot::note_at(const QPointF& pixel) const { return notes_->at(pixel); }
 
-void RunPlot::set_chip_visible(bool visible) { chip_->setVisible(visible); }
+void RunPlot::set_chip_visible(bool visible) { labels_->set_zoomed(visible); }
 
 void RunPlot::replot() { plot_->replot(); }
 
@@ -426,17 +417,15 @@ void RunPlot::hover(const std::optional<QPointF>& at) {
     emit timeHovered(at ? std::optional(snapped(at->x())) : std::nullopt);
     return;
   }
-  readout_->setVisible(at.has_value());
-  if (!at) return;
+  if (!at) return labels_->hide_values();
   const auto place = [](double value, const ShownUnit& unit) { return unit.after(figure(unit.of(value))); };
-  readout_->setText(distribution_ != nullptr
-                        ? distribution_->readout(at->x())
-                        : place(at->x(), content_.x_unit) + ", " + place(at->y(), content_.unit));
+  labels_->show_values(distribution_ != nullptr
+                           ? distribution_->readout(at->x())
+                           : place(at->x(), content_.x_unit) + ", " + place(at->y(), content_.unit));
 }
 
 void RunPlot::show_readout() {
-  readout_->setVisible(cursor_time_.has_value());
-  if (!cursor_time_) return;
+  if (!cursor_time_) return labels_->hide_values();
   QStringList values;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     if (!shows(i)) continue;
@@ -456,10 +445,8 @@ void RunPlot::show_readout() {
       value += tr(" (theory %1)").arg(figure(line.unit.of(line.theory.formula(*cursor_time_))));
     values << (content_.unit.name.isEmpty() ? line.unit.after(value) : value).trimmed();
   }
-  QString text = figure(*cursor_time_, 5) + " s";
-  if (!values.isEmpty()) text += ":  " + content_.unit.after(values.join(",  "));
-  const int room = plot_->canvas()->width() - (chip_->isVisible() ? chip_->width() : 0) - 40;
-  readout_->setText(readout_->fontMetrics().elidedText(text, Qt::ElideRight, room));
+  labels_->show_values(figure(*cursor_time_, 5) + " s", values, content_.unit.after(QString()),
+                       plot_->transform(QwtAxis::XBottom, *cursor_time_));
 }
 
 }  // namespace carom

@@ -30,6 +30,7 @@ class Distribution;
 class LegendButton;
 class LegendRow;
 class PlotBefore;
+class PlotLabels;
 class PlotNotes;
 class PlotPlayhead;
 class PlotTheories;
@@ -130,8 +131,7 @@ class RunPlot : public QFrame {
   QwtPlot* plot_ = nullptr;
   std::unique_ptr<PlotAxes> axes_;
   ZoomBox* zoom_box_ = nullptr;
-  QLabel* chip_ = nullptr;
-  QLabel* readout_ = nullptr;
+  PlotLabels* labels_ = nullptr;
   LegendRow* legend_ = nullptr;
   std::unique_ptr<QwtPlotGrid> grid_;
   std::unique_ptr<QwtPlotMarker> cursor_;

@@ -29,6 +29,18 @@ class LabToolsTest : public LabHandsTest {
   [[nodiscard]] const Names& selection() { return window_.scene_view().selection(); }
 };
 
+TEST_F(LabToolsTest, AnEmptyFirstStartSaysHowTheBodiesComeBack) {
+  draw_two_discs();
+  key(Qt::Key_R, Qt::ControlModifier);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->empty(); }));
+  const auto labels = window_.scene_view().findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->isVisible() && label->text().contains("first start is empty");
+  }));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
+}
+
 TEST_F(LabToolsTest, AKeptToolLooksDifferentAndSaysSo) {
   key(Qt::Key_B);
   EXPECT_TRUE(hint().startsWith("Box, once · click: a square")) << hint().toStdString();

@@ -55,6 +55,20 @@ TEST_F(PlotImpacts, AClickGoesToTheMomentAndLeavesTheMarksAlone) {
   EXPECT_TRUE(panel_.marks().b);
 }
 
+TEST_F(PlotImpacts, ADoubleClickGoesThereOnceAndLeavesTheZoom) {
+  show(run_to(head_on_scene(), 1.0, panel_.curves()));
+  emit panel_.plots()[0]->timeZoomAsked(0.2, 0.8);
+  QApplication::processEvents();
+  ASSERT_TRUE(panel_.zoomed());
+  const QPoint at(x_of(0.2), 40);
+  click(0, at);
+  QTest::mouseDClick(plot(0).canvas(), Qt::LeftButton, Qt::NoModifier, at);
+  EXPECT_EQ(chosen_.size(), 1U);
+  EXPECT_TRUE(panel_.zoomed());
+  QTest::mouseDClick(plot(0).canvas(), Qt::LeftButton, Qt::NoModifier, at + QPoint(60, 0));
+  EXPECT_FALSE(panel_.zoomed()) << "beside it a double click resets";
+}
+
 TEST_F(PlotImpacts, ABarIsClickedWhereItIs) {
   show(run_to(head_on_scene(), 1.0, panel_.curves()));
   ASSERT_GT(y_of(4.0), 20) << "room over the bar";

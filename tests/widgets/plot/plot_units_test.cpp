@@ -39,11 +39,15 @@ class PlotUnitsTest : public PlotPanelFixture {
   [[nodiscard]] QString label(int index, int axis, double at) const {
     return plot(index)->plot()->axisScaleDraw(axis)->label(at).text();
   }
-  [[nodiscard]] QString readout(int index) const {
+  [[nodiscard]] const QLabel* readout_label(int index) const {
     for (const QLabel* chip : plot(index)->findChildren<QLabel*>("chip")) {
-      if (chip->isVisible() && !chip->text().startsWith("zoomed")) return chip->text();
+      if (chip->isVisible() && !chip->text().startsWith("zoomed")) return chip;
     }
-    return {};
+    return nullptr;
+  }
+  [[nodiscard]] QString readout(int index) const {
+    const QLabel* label = readout_label(index);
+    return label == nullptr ? QString() : label->text();
   }
 
   static Plot plot_of(const char* observable) {
@@ -101,6 +105,22 @@ TEST_F(PlotUnitsTest, AMixedPlotIsInSi) {
   EXPECT_LT(plot(0)->value_range().maxValue(), 5.0);
   plot(0)->set_cursor(0.1);
   EXPECT_TRUE(readout(0).contains("angle of A 0.2000 rad")) << readout(0).toStdString();
+}
+
+// Where its values don't fit into one line they stand below each other, beside the cursor and not over it.
+TEST_F(PlotUnitsTest, ANarrowPlotReadsOutLineByLine) {
+  angle.y.push_back({"spin", {"A"}});
+  angle.y.push_back({"speed", {"A"}});
+  show({angle});
+  panel.resize(300, 400);
+  for (const double time : {0.1, 0.9}) {
+    plot(0)->set_cursor(time);
+    QApplication::processEvents();
+    EXPECT_EQ(readout(0).split('\n').size(), 4) << readout(0).toStdString();
+    EXPECT_FALSE(readout(0).contains(QChar(0x2026))) << readout(0).toStdString();
+    const int cursor = qRound(plot(0)->plot()->transform(QwtAxis::XBottom, time));
+    EXPECT_EQ(readout_label(0)->geometry().center().x() > cursor, time < 0.5);
+  }
 }
 
 }  // namespace
