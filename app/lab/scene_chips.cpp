@@ -175,7 +175,7 @@ void SceneChips::show_notices(const LabRuns& runs, const QString& more, bool los
   QString details;  // of what the run itself says
   if (frame != nullptr && frame->status != "ok" && !(frame->lost && lost_shown)) {
     details = QString::fromStdString(frame->status);
-    notices << (frame->lost ? details : QString::fromStdString(frame->notices.brief()));
+    notices << (frame->lost ? details : QString::fromStdString(frame->brief));
   }
   for (const auto& each : runs.frames()) {
     if (each->rows_known_until < each->time) {

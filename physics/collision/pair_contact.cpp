@@ -16,8 +16,11 @@ namespace {
 constexpr double kFlat = 1e-9;
 // A stretch shorter than this share of the scale is a point.
 constexpr double kShort = 16.0 * std::numeric_limits<double>::epsilon();
-// Corners meet tip to tip if they are no farther from each other than this share of the scale: rounding.
-constexpr double kTip = 32.0 * std::numeric_limits<double>::epsilon();
+// Corners meet tip to tip if they are no farther from each other than this share of the scale: rounding, which
+// adds up on the way there.
+constexpr double kTip = 1e-11;
+// Likewise where faces are preferred: what slides along a face passes corners that are flush with it.
+constexpr double kTipOfFaces = 32.0 * std::numeric_limits<double>::epsilon();
 // Between corners that are nearer than this share of the scale, the direction from one to the other is noise.
 constexpr double kBlunt = 1e-4;
 // Relative to the scale: where corners meet, edges that part two bodies equally well within this.
@@ -146,8 +149,7 @@ struct Tips {
   Vec2 point;
   Vec2 normal;
 };
-std::optional<Tips> tips_of(const PairFrame& frame, double separation, double rounding) {
-  const double near = kTip * frame.scale;
+std::optional<Tips> tips_of(const PairFrame& frame, double separation, double rounding, double near) {
   if (rounding > 0.0 || std::abs(separation) > near || frame.edges_a < 3 || frame.edges_b < 3)
     return std::nullopt;
   for (int i = 0; i < frame.edges_a; ++i) {
@@ -193,9 +195,16 @@ Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
     }
   }
   if (!corners) clip_at(frame, closest, rounding_a, rounding_b, touch);
-  if (const auto tips = tips_of(frame, closest.separation, rounding_a + rounding_b); tips && touch.count == 1) {
+  const double near = (prefer_faces ? kTipOfFaces : kTip) * frame.scale;
+  const bool in_one_point =
+      touch.count == 1 ||
+      (!prefer_faces && (!touch.flat || (touch.points[1].point - touch.points[0].point).norm() <= near));
+  if (!in_one_point) return touch;
+  if (const auto tips = tips_of(frame, closest.separation, rounding_a + rounding_b, near)) {
     touch.normal = tips->normal;
     touch.point = touch.points[0].point = tips->point;
+    touch.count = 1;
+    touch.flat = false;
   }
   return touch;
 }

@@ -80,7 +80,8 @@ struct SearchLimit {
 // would penetrate by less (m, the rounding of a gap) is no impact.
 //
 // A sampler may also have clear(from, to, width): true if bounds of its own show that there is no contact
-// between two samples.
+// between two samples; and curvature_along(n), a bound that holds for this direction alone: faces that slide
+// along each other, flush, on curved paths are clear by it.
 //
 // If the limit ends the search, the result is a known contact, if there is one, though perhaps not the first.
 template <class Sampler, class Sample>
@@ -118,9 +119,16 @@ template <class Sampler, class Sample>
     if (slope_a < slope_b) {
       crossing = std::clamp((gb.gap - ga.gap - slope_b * width) / (slope_a - slope_b), 0.0, width);
     }
-    const double least = std::min(least_over_chord(ga.gap, slope_a, curvature, width, crossing),
-                                  least_over_chord(gb.gap, -slope_b, curvature, width, width - crossing));
-    if (least > -tolerance || ends_here()) return std::nullopt;
+    const auto least = [&](double of_a, double of_b) {
+      return std::min(least_over_chord(ga.gap, slope_a, of_a, width, crossing),
+                      least_over_chord(gb.gap, -slope_b, of_b, width, width - crossing));
+    };
+    if (least(curvature, curvature) > -tolerance) return std::nullopt;
+    if constexpr (requires { sample.curvature_along(ga.normal); }) {
+      if (least(sample.curvature_along(ga.normal), sample.curvature_along(gb.normal)) > -tolerance)
+        return std::nullopt;
+    }
+    if (ends_here()) return std::nullopt;
     const double stray = curvature * width * width / 8.0;
     // Both curves touch their chord at the ends. Where the stray dominates, the middle is better.
     if (!(crossing > 0.05 * width && crossing < 0.95 * width) || stray > 0.5 * ga.gap) crossing = 0.5 * width;

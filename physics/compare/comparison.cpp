@@ -117,7 +117,7 @@ RunSummary run_and_summarize(const RunSetup& setup, const Method& method, double
   run.impact_count = s.impact_count();
   run.evaluations = s.evaluations();
   run.rejected_steps = s.rejected_steps();
-  run.status = s.notices().text();
+  run.status = s.notices_text();
   if (run.blew_up_at < 0.0) advance(until);
   run.resting_since = s.notices().resting_since;
   if (run.blew_up_at >= 0.0 && run.blew_up_at < time) {

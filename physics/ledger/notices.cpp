@@ -1,5 +1,6 @@
 #include "physics/ledger/notices.h"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
@@ -74,13 +75,30 @@ const auto kEntries = std::to_array<NoticeEntry>({
      "clock alone"},
 });
 
+static_assert(kEntries.size() == Notices::kKinds);
+
+// "" or " (A and B)".
+std::string named(const NoticeBodies& of, const Notices::BodyName& name) {
+  return name && of.a >= 0 ? fmt::format(" ({} and {})", name(of.a), name(of.b)) : std::string();
+}
+
 }  // namespace
 
 std::span<const NoticeEntry> notice_entries() { return kEntries; }
 
-std::string Notices::line(std::string_view NoticeEntry::*text) const {
+void Notices::note(double Notices::*since, double time, const NoticeBodies& of) {
+  if (this->*since >= 0.0) return;
+  this->*since = time;
+  const auto entry = std::find_if(kEntries.begin(), kEntries.end(),
+                                  [&](const NoticeEntry& each) { return each.since == since; });
+  const auto [a, b] = std::minmax(of.a, of.b);
+  bodies[static_cast<std::size_t>(entry - kEntries.begin())] = {a, b};
+}
+
+std::string Notices::line(std::string_view NoticeEntry::*text, const BodyName& name) const {
   std::string line;
-  for (const NoticeEntry& entry : kEntries) {
+  for (std::size_t i = 0; i < kEntries.size(); ++i) {
+    const NoticeEntry& entry = kEntries[i];
     const double since = this->*entry.since;
     if (since < 0.0) continue;
     if (!line.empty()) line += "; ";
@@ -88,15 +106,16 @@ std::string Notices::line(std::string_view NoticeEntry::*text) const {
                         fmt::arg("n", entry.number != nullptr ? this->*entry.number : 0.0),
                         fmt::arg("per_step", kMostImpactsPerStep), fmt::arg("at_once", kMostImpactsAtOnce),
                         fmt::arg("corners", kMostCornersAtOnce), fmt::arg("logged", kMostLogged));
+    line += named(bodies[i], name);
   }
   return line;
 }
 
-std::string Notices::text() const {
-  std::string line = this->line(&NoticeEntry::text);
+std::string Notices::text(const BodyName& name) const {
+  std::string line = this->line(&NoticeEntry::text, name);
   return line.empty() ? "ok" : line;
 }
 
-std::string Notices::brief() const { return line(&NoticeEntry::brief); }
+std::string Notices::brief(const BodyName& name) const { return line(&NoticeEntry::brief, name); }
 
 }  // namespace carom

@@ -1,12 +1,23 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "physics/model/index.h"
+
 namespace carom {
 
 struct NoticeEntry;
+
+// Whom a notice is about: two bodies, or none.
+struct NoticeBodies {
+  BodyIndex a;
+  BodyIndex b;
+};
 
 // Notices of a run, each an expected numerical outcome, never an error. Times in s of the first occurrence;
 // negative: never.
@@ -52,13 +63,22 @@ struct Notices {
   double contacts_left_since = -1.0;
   double contacts_left = 0.0;
 
+  // Whom the first occurrence of each is about, in the order of notice_entries().
+  static constexpr std::size_t kKinds = 18;
+  std::array<NoticeBodies, kKinds> bodies{};
+
+  // Keeps the time (s) and the bodies of the first occurrence.
+  void note(double Notices::*since, double time, const NoticeBodies& of = {});
+
+  // How people call a body; without it lines name none.
+  using BodyName = std::function<std::string(BodyIndex)>;
   // One line with what happened and what the run does about it; "ok" without notices.
-  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string text(const BodyName& name = {}) const;
   // The same in a few words each; empty without notices.
-  [[nodiscard]] std::string brief() const;
+  [[nodiscard]] std::string brief(const BodyName& name = {}) const;
 
  private:
-  [[nodiscard]] std::string line(std::string_view NoticeEntry::*text) const;
+  [[nodiscard]] std::string line(std::string_view NoticeEntry::*text, const BodyName& name) const;
 };
 
 struct NoticeEntry {

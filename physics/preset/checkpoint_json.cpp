@@ -43,6 +43,10 @@ void take(const ValueReader& v, T& x) {
     int body = 0;
     take(v, body);
     x = BodyIndex{body};
+  } else if constexpr (std::is_same_v<T, NoticeBodies>) {
+    if (!v.value().is_array() || v.value().size() != 2) refuse("two bodies, [a, b]");
+    take(element(v, 0), x.a);
+    take(element(v, 1), x.b);
   } else if constexpr (std::is_same_v<T, Vec2>) {
     if (!v.value().is_array() || v.value().size() != 2) refuse("two numbers, [x, y]");
     for (int i = 0; i < 2; ++i) take(element(v, static_cast<std::size_t>(i)), x[i]);
@@ -77,6 +81,8 @@ Json written(const char* key, const T& x) {
     return x;
   } else if constexpr (std::is_same_v<T, Vec2>) {
     return Json::array({written(key, x.x()), written(key, x.y())});
+  } else if constexpr (std::is_same_v<T, NoticeBodies>) {
+    return Json::array({int{x.a}, int{x.b}});
   } else if constexpr (std::is_same_v<T, Method>) {
     return carom::written(x, true);
   } else if constexpr (std::is_same_v<T, BodyIndex>) {
@@ -201,11 +207,24 @@ constexpr auto kLedger = [](auto& a, auto& ledger) {
     a.value(entry.angular_key.data(), ledger.*entry.angular, false);
 };
 
+// By the keys of notices.
+constexpr auto kNoticeBodies = [](auto& a, auto& notices) {
+  for (std::size_t i = 0; i < Notices::kKinds; ++i) {
+    auto& of = notices.bodies[i];
+    if (!std::is_const_v<std::remove_reference_t<decltype(of)>> || of.a != kNoBody)
+      a.value(notice_entries()[i].key.data(), of, false);
+  }
+};
+
 constexpr auto kNotices = [](auto& a, auto& notices) {
   for (const NoticeEntry& entry : notice_entries()) {
     a.value(entry.key.data(), notices.*entry.since, false);
     if (entry.number != nullptr) a.value(entry.number_key.data(), notices.*entry.number, false);
   }
+  const bool any = std::any_of(notices.bodies.begin(), notices.bodies.end(),
+                               [](const NoticeBodies& of) { return of.a != kNoBody; });
+  if (any || !std::is_const_v<std::remove_reference_t<decltype(notices)>>)
+    a.object("of", notices, kNoticeBodies, false);
 };
 
 constexpr auto kImpactCounts = [](auto& a, auto& counts) {

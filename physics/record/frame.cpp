@@ -79,8 +79,8 @@ void take_moment(const Simulation& simulation, Frame& frame) {
   frame.contacts = simulation.contact_forces();
   frame.totals = simulation.totals();
   frame.ledger = simulation.ledger();
-  frame.notices = simulation.notices();
   frame.status = simulation.status();
+  frame.brief = simulation.notices_brief();
   frame.lost.reset();
   if (const auto& lost = simulation.lost()) frame.lost = lost->text(simulation.bodies(), simulation.time());
 }

@@ -57,8 +57,8 @@ struct Frame {
   std::vector<ContactForce> contacts;  // of the last step; empty without resting contacts
   Totals totals;
   Ledger ledger;
-  Notices notices;
-  std::string status = "ok";  // with why it can't continue
+  std::string status = "ok";  // the run's notices, with why it can't continue
+  std::string brief;          // the notices in a few words each
   std::optional<std::string>
       lost;  // why the run can't continue, if so: it stays at the end of its last good step
   // s: the runs are on their way there again, after an edit was undone or redone.

@@ -181,6 +181,10 @@ void Simulation::apply(const SceneEdits& edits) {
   carried.steps = before.steps;
   carried.sums = before.sums;
   move_pairs(bodies_now, carried.sums.impact_counts.pairs);
+  for (NoticeBodies& of : carried.sums.notices.bodies) {
+    if (of.a >= 0 && !move_pair(bodies_now, of)) of = {};
+    if (of.a > of.b) std::swap(of.a, of.b);
+  }
   carried.evaluations = before.evaluations;
   carried.rejected_steps = before.rejected_steps;
   carry(springs_before, before.engaged, carried.engaged);

@@ -56,6 +56,14 @@ void check_counts(const std::vector<Body>& bodies, std::int64_t impacts, const I
   }
 }
 
+void check_notices(const std::vector<Body>& bodies, const Notices& s) {
+  for (std::size_t i = 0; i < Notices::kKinds; ++i) {
+    const NoticeBodies& of = s.bodies[i];
+    if (of.a != kNoBody || of.b != kNoBody)
+      check_pair(fmt::format("notices/of/{}", notice_entries()[i].key), bodies, of.a, of.b);
+  }
+}
+
 void check_switches(const Scene& scene, const Checkpoint& s) {
   check_size("engaged", s.engaged.size(), scene.forces.springs.size());
   for (std::size_t i = 0; i < s.engaged.size(); ++i) {
@@ -155,6 +163,7 @@ void check_checkpoint(const Scene& scene, const Checkpoint& checkpoint) {
   check_least("evaluations", static_cast<double>(checkpoint.evaluations), 0.0);
   check_least("rejected_steps", static_cast<double>(checkpoint.rejected_steps), 0.0);
   check_counts(bodies, checkpoint.sums.impact_count, checkpoint.sums.impact_counts);
+  check_notices(bodies, checkpoint.sums.notices);
   check_switches(scene, checkpoint);
   check_size("next_step", checkpoint.next_step.size(), bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i)

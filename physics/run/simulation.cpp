@@ -5,6 +5,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/model/bodies_by_name.h"
+#include "physics/scene/validate.h"
 
 namespace carom {
 namespace {
@@ -133,8 +134,12 @@ Notices Simulation::notices() const {
   return notices;
 }
 
+Notices::BodyName Simulation::body_name() const {
+  return [this](BodyIndex body) { return shortened(bodies()[static_cast<std::size_t>(body)].name); };
+}
+
 std::string Simulation::status() const {
-  std::string notices = this->notices().text();
+  std::string notices = notices_text();
   if (!lost_) return notices;
   const std::string lost = lost_->text(bodies(), time());
   return notices == "ok" ? lost : lost + "; " + notices;

@@ -96,9 +96,12 @@ class Simulation {
   [[nodiscard]] const Method& method() const { return world_.method; }
   [[nodiscard]] const Needs& needs() const { return compiled_->needs; }
   [[nodiscard]] Notices notices() const;
+  // In one line, "ok" if there are none, and in a few words each; bodies have their names.
+  [[nodiscard]] std::string notices_text() const { return notices().text(body_name()); }
+  [[nodiscard]] std::string notices_brief() const { return notices().brief(body_name()); }
   // Why the run can't continue; nothing while it can.
   [[nodiscard]] const std::optional<LostRun>& lost() const { return lost_; }
-  // The notices of the run in one line; "ok" if there are none.
+  // notices_text(), and why the run can't continue.
   [[nodiscard]] std::string status() const;
   [[nodiscard]] Totals totals() const { return world_.totals(); }
   [[nodiscard]] Totals totals_of(const State& state) const { return carom::totals(state, mass(), field()); }
@@ -138,6 +141,7 @@ class Simulation {
     RunSums sums;
   };
 
+  [[nodiscard]] Notices::BodyName body_name() const;
   void apply_all_due();
   void choose_strategies();
   void move_hand(const Vec2& place);  // m

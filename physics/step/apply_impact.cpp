@@ -152,7 +152,7 @@ void record_impact(World& world, BodyIndex a, BodyIndex b, const Contact& contac
     world.note(&Notices::log_cut_since, record.time);
   }
   if (impact.energy_gain > 0.0) {
-    world.note(&Notices::gained_since, record.time);
+    world.note(&Notices::gained_since, record.time, {a, b});
     sums.notices.gained += impact.energy_gain;
   }
   Ledger& ledger = sums.ledger;

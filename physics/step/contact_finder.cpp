@@ -58,6 +58,15 @@ std::optional<std::size_t> force_before(const World& world, const std::vector<Co
   return before;
 }
 
+// Whether contact forces held one of two bodies in the last step.
+bool is_held(const World& world, const std::vector<ContactForce>& forces, BodyIndex a, BodyIndex b) {
+  if (forces.size() > static_cast<std::size_t>(kFewContactsOfScene)) return true;
+  return std::any_of(forces.begin(), forces.end(), [&](const ContactForce& f) {
+    return (!world.infinite_mass(a) && (f.a == a || f.b == a)) ||
+           (!world.infinite_mass(b) && (f.a == b || f.b == b));
+  });
+}
+
 }  // namespace
 
 void FoundContacts::clear() {
@@ -152,8 +161,8 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const ManifoldPoint& at = m.points[k];
     if (continued && on_internal_edge(world, a, b, m.contact(k), neighbours_.of_pair(world, a, b),
                                       [&](BodyIndex body) { return poses_[body]; })) {
-      // Past the edge it will be what supports the body.
-      support(a, b, 0.0);
+      // Past the edge it will be what supports a body that slides there, but not one that lands.
+      if (at.gap <= kFlush * size || is_held(world, forces, a, b)) support(a, b, 0.0);
       continue;
     }
     const int i = static_cast<int>(found.id.size());

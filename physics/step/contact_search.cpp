@@ -19,13 +19,27 @@ constexpr int kMostLooksAtRest = 200;
 // Cost of a gap evaluation in units of StepWork; an evaluation of a right-hand side costs half a unit.
 constexpr std::int64_t kLookWork = 10;
 
+// How the paths of points of a body bend, seen from another body.
+struct Bend {
+  double bound;       // m/s²
+  bool alike;         // all with this acceleration
+  Vec2 acceleration;  // m/s²
+};
+
 // A pair whose gap evaluations are charged to the step's budget; the search ends when that is spent. Without
 // turning corners the first kShort evaluations are charged to the run's reserve.
 template <class Pair>
 class Paid {
  public:
-  Paid(const Pair& pair, const Trajectories& trajectories, bool corners, StepWork& work, SearchLimit& limit)
-      : pair_(pair), trajectories_(trajectories), short_(corners ? 0 : kShort), work_(work), limit_(limit) {}
+  // `bends`: how the paths of all points of b, seen from a, bend.
+  Paid(const Pair& pair, const Trajectories& trajectories, bool corners, const Bend& bends, StepWork& work,
+       SearchLimit& limit)
+      : pair_(pair),
+        trajectories_(trajectories),
+        short_(corners ? 0 : kShort),
+        bends_(bends),
+        work_(work),
+        limit_(limit) {}
   [[nodiscard]] TurningSample operator()(double t) const {
     const std::int64_t flown = trajectories_.flight_work();
     TurningSample sample = pair_(t);
@@ -45,12 +59,16 @@ class Paid {
   [[nodiscard]] bool clear(const TurningSample& from, const TurningSample& to, double width) const {
     return pair_.clear(from, to, width);
   }
+  [[nodiscard]] double curvature_along(const Vec2& n) const {
+    return bends_.alike ? std::max(0.0, n.dot(bends_.acceleration)) : bends_.bound;
+  }
 
  private:
   static constexpr int kShort = 16;
   const Pair& pair_;
   const Trajectories& trajectories_;
   mutable int short_;
+  Bend bends_;
   StepWork& work_;
   SearchLimit& limit_;
 };
@@ -144,6 +162,7 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
           ? (trajectories.constant_acceleration(b) - trajectories.constant_acceleration(a)).head<2>().norm()
           : trajectories.curvature_bound(a) + trajectories.curvature_bound(b);
   const double bound = curvature(world, a, b, path_bound);
+  const bool alike = parabolic && !bent && bound == path_bound;
   // A run that has blown up: squares overflow, and no contact means anything.
   constexpr double kBlownUp = 1e100;  // m/s²
   if (!(bound < kBlownUp)) return {};
@@ -199,9 +218,12 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
   }
   const TurningSample last = pair(end);
   SearchLimit limit{.looks = resting ? kMostLooksAtRest : kMostLooks};
-  const Paid paid(pair, trajectories, world.has_moving_corners(a, b), world.work, limit);
+  const Vec2 acceleration =
+      (trajectories.constant_acceleration(b) - trajectories.constant_acceleration(a)).head<2>();
+  const Paid paid(pair, trajectories, world.has_moving_corners(a, b), {bound, alike, acceleration}, world.work,
+                  limit);
   const auto time = first_contact(paid, start, first, end, last, bound, tolerance, limit);
-  if (limit.reached && !resting) world.note(&Notices::search_cut_since, trajectories.epoch() + start);
+  if (limit.reached && !resting) world.note(&Notices::search_cut_since, trajectories.epoch() + start, {a, b});
   if (!time || (resting && waits(-paths.approach(a, b, parts, *time, tolerance).speed))) return {};
   return {NextContact::kImpact, *time};
 }

@@ -4,21 +4,40 @@
 #include <utility>
 
 #include "physics/contact/contact_velocity.h"
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/vectors.h"
 #include "physics/step/contact_arms.h"
 
 namespace carom {
 namespace {
 
-void record_immovable(World& world, const Contacts& c, int i, double share, const Eigen::Matrix3Xd& mean) {
+// m: where a body is while a force of the length `passed` (s) acts on it, such that the force's moment is what
+// it changes of the body's angular momentum about the origin.
+Vec2 mean_place(World& world, double passed, BodyIndex body) {
+  const Vec2 from = world.state.position(body);
+  const Vec2 straight = passed * world.state.v.col(body).head<2>();
+  if (!choice_of(kIntegrators, world.method.integrator).exact_under_gravity)
+    return from + arms_of(world.method.integrator).along * straight;
+  const Vec2 bend = world.trajectories.at(body, passed).head<2>() - from - straight;
+  return from + 0.5 * straight + bend / 3.0;
+}
+
+// `place(body)`: where the side that moves is on the mean, in m; with the arm from there, impulses change its
+// angular momentum by their moment about the origin.
+void record_immovable(World& world, const Contacts& c, int i, double share, const Eigen::Matrix3Xd& mean,
+                      const auto& place) {
   const Vec2 j = share * (c.normal_impulse[i] * c.normal[i] + c.tangential_impulse[i] * crossed(c.normal[i]));
   for (const auto& [body, sign] : {std::pair(c.a[i], -1.0), std::pair(c.b[i], 1.0)}) {
     const Vec2& arm = body == c.a[i] ? c.arm_a[i] : c.arm_b[i];
-    world.record_angular_momentum(body, world.state.position(body) + arm, arm, sign * j,
-                                  sign * share * c.rolling_impulse[i]);
-    if (!world.infinite_mass(body)) continue;
+    const double moment = sign * share * c.rolling_impulse[i];
+    if (!world.infinite_mass(body)) {
+      world.record_angular_momentum(body, Vec2::Zero(), arm, sign * j, moment);
+      continue;
+    }
+    const Vec2 point = body == c.a[i] ? place(c.b[i]) + c.arm_b[i] : place(c.a[i]) + c.arm_a[i];
+    world.record_angular_momentum(body, point, arm, sign * j, moment);
     world.sums.ledger.momentum_to_walls += sign * j;
-    world.sums.ledger.put_in_by_drives -= sign * j.dot(mean.col(body).head<2>());
+    world.sums.ledger.put_in_by_drives -= sign * j.dot(mean.col(body).template head<2>());
   }
 }
 
@@ -41,7 +60,7 @@ void record_support(World& world, const Contacts& c, const GaussContacts& linear
         mean.col(c.b[i])[2] * off(c.b[i]).dot(c.normal[i]) - mean.col(c.a[i])[2] * off(c.a[i]).dot(c.normal[i]);
     ledger.lost_to_friction += std::max(0.0, -share * c.tangential_impulse[i] * u.tangential);
     ledger.lost_to_rolling += std::max(0.0, -share * c.rolling_impulse[i] * u.spin);
-    record_immovable(world, c, i, share, mean);
+    record_immovable(world, c, i, share, mean, [&](BodyIndex body) { return mean_place(world, passed, body); });
   }
 }
 
@@ -55,7 +74,7 @@ void record_stops(World& world, const Contacts& c, const Eigen::Matrix3Xd& mean)
     normal -= c.normal_impulse[i] * u.normal;
     tangential -= c.tangential_impulse[i] * u.tangential;
     rolling -= c.rolling_impulse[i] * u.spin;
-    record_immovable(world, c, i, 1.0, mean);
+    record_immovable(world, c, i, 1.0, mean, [&](BodyIndex body) { return Vec2(world.state.position(body)); });
   }
   // Where normals and tangents are coupled, energy passes from one to the other; only the sum is lost.
   const double all = std::max(0.0, normal + tangential + rolling);

@@ -224,7 +224,7 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
       continue;
     }
     if (world.work.spent()) {
-      world.note(&Notices::work_spent_since, trajectories.epoch() + next.time);
+      world.note(&Notices::work_spent_since, trajectories.epoch() + next.time, {next.a, next.b});
       end_of_step_.add(next.a, next.b, false);
       continue;
     }
@@ -236,7 +236,7 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
     const std::int64_t impacts = world.sums.impact_count - step.impacts_begin;
     if (at_once || impacts >= (capped ? kMostImpactsOnceCapped : kMostImpactsPerStep)) {
       world.work.cap_impacts();
-      world.note(&Notices::impacts_capped_since, trajectories.epoch() + next.time);
+      world.note(&Notices::impacts_capped_since, trajectories.epoch() + next.time, {next.a, next.b});
       end_of_step_.add(next.a, next.b, false);
       continue;
     }
@@ -283,7 +283,7 @@ bool EventDrivenImpacts::resolve_alone(const Step& step, BodyIndex a, BodyIndex 
   }
   const bool divides = classify_rebound(step, a, b, contact, world.material(contact, a, b), time, guarded);
   note_disturbed(step, a, b, time);
-  count_at_once(world, time);
+  count_at_once(world, a, b, time);
   const int island_a = world.trajectories.island_of(a);
   const int island_b = world.trajectories.island_of(b);
   if (island_a >= 0 && island_b >= 0 && island_a != island_b) {
@@ -311,9 +311,9 @@ void EventDrivenImpacts::note_disturbed(const Step& step, BodyIndex a, BodyIndex
     disturbed_ = time;
 }
 
-void EventDrivenImpacts::count_at_once(World& world, double time) {
+void EventDrivenImpacts::count_at_once(World& world, BodyIndex a, BodyIndex b, double time) {
   at_once_ = time == last_impact_ ? at_once_ + 1 : 0;
-  if (at_once_ == kMostAtOnce) world.note(&Notices::collapsed_since, world.trajectories.epoch() + time);
+  if (at_once_ == kMostAtOnce) world.note(&Notices::collapsed_since, world.trajectories.epoch() + time, {a, b});
   last_impact_ = time;
 }
 
@@ -333,18 +333,18 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, BodyIndex a, BodyInd
     // The time that the omitted bounces would last, where their sum is known.
     const bool exact = choice_of(kIntegrators, world.method.integrator).exact_under_gravity;
     const double left = exact ? 2.0 * rebound / (press * (1.0 - material.restitution)) : 0.0;
-    if (step.resting == nullptr) world.note(&Notices::resting_since, now + left);
+    if (step.resting == nullptr) world.note(&Notices::resting_since, now + left, {a, b});
     end_of_step_.add(a, b, true);
     return step.resting != nullptr && step.may_divide && time < step.h;
   }
   if (guarded && rebound < pressed_in(world, a, b, step.h)) {
-    if (step.resting == nullptr) world.note(&Notices::resting_since, now);
+    if (step.resting == nullptr) world.note(&Notices::resting_since, now, {a, b});
     end_of_step_.add(a, b, true);
   } else if (material.restitution > 0.0 &&
              rebound < kCollapseShare * (world.trajectories.at_start(a).segment<2>(3).norm() +
                                          world.trajectories.at_start(b).segment<2>(3).norm()) &&
              time - last_impact_ <= 64.0 * kEpsilon * (std::abs(time) + step.h)) {
-    world.note(&Notices::collapsed_since, now);
+    world.note(&Notices::collapsed_since, now, {a, b});
   }
   return false;
 }

@@ -101,7 +101,7 @@ class EventDrivenImpacts {
                         const SurfaceLaw& material, double time, bool guarded);
   [[nodiscard]] bool comes_to_rest(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact) const;
   void note_disturbed(const Step& step, BodyIndex a, BodyIndex b, double time);
-  void count_at_once(World& world, double time);
+  void count_at_once(World& world, BodyIndex a, BodyIndex b, double time);
   void resolve_end_of_step(const Step& step, double target);
 
   void choose_cells(const World& world, double horizon);

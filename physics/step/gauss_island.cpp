@@ -8,6 +8,7 @@
 
 #include "physics/collision/pair_contact.h"
 #include "physics/contact/contact_velocity.h"
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/vectors.h"
 #include "physics/step/gauss_modes.h"
 #include "physics/step/pair_motion.h"
@@ -58,6 +59,14 @@ Vec2 weighted_mean(std::size_t point, const Motion& from, const Motion& to, doub
 Vec2 middle_normal(const GaussContact& c) { return (c.at[0].normal + c.at[1].normal).normalized(); }
 Vec2 middle_arm_a(const GaussContact& c) { return 0.5 * (c.at[0].arm_a + c.at[1].arm_a); }
 Vec2 middle_arm_b(const GaussContact& c) { return 0.5 * (c.at[0].arm_b + c.at[1].arm_b); }
+
+// By what share of h²/2 accelerations at the Gauss points move a body in a step: as the force that is linear
+// through both does, or as its value at the start alone, in a step of velocity Verlet.
+std::array<double, 2> moves_by(const World& world) {
+  if (choice_of(kIntegrators, world.method.integrator).order == 2 && !world.trajectories.is_parabolic())
+    return {gauss_share(0, 0.0), gauss_share(1, 0.0)};
+  return {kGaussPoints[1], kGaussPoints[0]};
+}
 
 bool rubs(const GaussStep& step, const GaussContact& c) {
   return step.found.contacts.kinetic_friction[c.contact] > 0.0;
@@ -185,20 +194,24 @@ bool GaussIsland::start(const GaussStep& step, GaussContact& c) const {
   return true;
 }
 
-// Whether contacts turn, or constant forces don't do what they should.
+// Whether contacts turn, or constant forces don't do what they should. Under an integrator of order 2 those are
+// as good where nothing rubs, and keep angular momentum.
 bool GaussIsland::is_needed(const GaussStep& step) const {
-  if (off(step, kLeft) > kNeeded) return true;
-  const auto turns = [&](BodyIndex body) {
-    return !step.world.shapes().is_disc(body) &&
-           std::abs(sampled(body).end[2] - sampled(body).start[2]) > kStill;
-  };
-  // It begins to slip, or stops.
   const auto changes = [&](const GaussContact& c) {
     if (!c.presses || !rubs(step, c)) return false;
     const Contacts& found = step.found.contacts;
     if (c.sticks) return found.sticks[c.contact] == 0;
     const double full = found.kinetic_friction[c.contact] * found.normal_impulse[c.contact];
     return std::abs(found.tangential_impulse[c.contact] + c.slips * full) > kFull * full;
+  };
+  const auto may_rub = [&](const GaussContact& c) { return c.presses && rubs(step, c); };
+  if (choice_of(kIntegrators, step.world.method.integrator).order == 2 &&
+      std::none_of(closed_.begin(), closed_.end(), may_rub))
+    return false;
+  if (off(step, kLeft) > kNeeded) return true;
+  const auto turns = [&](BodyIndex body) {
+    return !step.world.shapes().is_disc(body) &&
+           std::abs(sampled(body).end[2] - sampled(body).start[2]) > kStill;
   };
   return std::any_of(closed_.begin(), closed_.end(), [&](const GaussContact& c) {
     return (c.start.normal - c.end.normal).norm() > kStill || turns(c.a) || turns(c.b) || changes(c) ||
@@ -322,15 +335,17 @@ void GaussIsland::add_column(const GaussStep& step, const GaussContact& c, int t
 }
 
 // Corrects the forces by what the contacts are off at the end, and halfway: changes d of their accelerations at
-// the Gauss points change velocities by h/2 (d_0 + d_1) at the end, and places by h²/2 (g_1 d_0 + g_0 d_1).
+// the Gauss points change velocities by h/2 (d_0 + d_1) at the end, and places by h²/2 times the sum by
+// moves_by().
 void GaussIsland::correct(const GaussStep& step) {
   const double h = step.h;
+  const std::array<double, 2> by = moves_by(step.world);
   wanted_.setZero(rows_, 2);
   for (const GaussContact& c : closed_) {
     if (!c.presses) continue;
     const double parts = -2.0 * c.end.parting / h;
     const double moves = 2.0 * (c.stays_open - c.end.gap) / (h * h);
-    wanted_(c.row, 0) = kRoot3 * (moves - kGaussPoints[0] * parts);
+    wanted_(c.row, 0) = (moves - by[1] * parts) / (by[0] - by[1]);
     wanted_(c.row, 1) = parts - wanted_(c.row, 0);
     if (!c.holds) continue;
     // At a half of the step, velocities have changed by h/2 times the accelerations at a quarter of it.

@@ -37,9 +37,11 @@ void resolve_at_once(World& world, HitsAtOnce& buffers, double h, double within)
       take_connected(world, hits, begin, together);
       cluster.clear();
       for (const Hit& hit : together) cluster.add(hit.a, hit.b, hit.contact);
+      cluster.drop_doubles(world);
       if (!cluster.has_several_pairs() || together.size() > kMostTogether) continue;
       if (!cluster.has_law(world)) {
-        world.note(&Notices::order_decided_since, world.trajectories.epoch() + within);
+        world.note(&Notices::order_decided_since, world.trajectories.epoch() + within,
+                   {together.back().a, together.back().b});
         continue;
       }
       // Without a solution, which is noted, the caller goes on pair by pair.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "physics/math/vectors.h"
@@ -12,6 +13,8 @@ namespace {
 
 // Of the fastest closing speed: slower ones take no part.
 constexpr double kSlowest = 1e-3;
+// Of the size, and of a normal: touches at one point of a surface.
+constexpr double kOnePoint = 1e-6;
 // Of the speeds: a closing speed.
 constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
@@ -39,6 +42,32 @@ void ImpactCluster::drop_slow() {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < touches_.size(); ++k) {
     if (closing_[k] > kSlowest * fastest) touches_[kept++] = touches_[k];
+  }
+  touches_.resize(kept);
+}
+
+void ImpactCluster::drop_doubles(const World& world) {
+  // A touch as the body that moves has it.
+  struct Seen {
+    BodyIndex moves;
+    Vec2 out;  // of the body that does not
+  };
+  const auto seen = [&](const Touch& t) -> std::optional<Seen> {
+    if (world.infinite_mass(t.a) == world.infinite_mass(t.b)) return std::nullopt;
+    return world.infinite_mass(t.a) ? Seen{t.b, t.contact.normal} : Seen{t.a, -t.contact.normal};
+  };
+  std::size_t kept = 0;
+  for (const Touch& t : touches_) {
+    const std::optional<Seen> now = seen(t);
+    const auto end = touches_.begin() + static_cast<std::ptrdiff_t>(kept);
+    const bool again = now && std::any_of(touches_.begin(), end, [&](const Touch& earlier) {
+                         const std::optional<Seen> before = seen(earlier);
+                         return before && before->moves == now->moves &&
+                                (before->out - now->out).norm() <= kOnePoint &&
+                                (earlier.contact.point - t.contact.point).norm() <=
+                                    kOnePoint * world.shapes().size[now->moves];
+                       });
+    if (!again) touches_[kept++] = t;
   }
   touches_.resize(kept);
 }
@@ -142,11 +171,12 @@ bool ImpactCluster::resolve(World& world, double within, ClusterRestitution rest
   State before;
   if (world.log.wants_jump(world.model->bodies())) before = world.state_at(within);
   const double now = world.trajectories.epoch() + within;
+  const NoticeBodies first{touches_.front().a, touches_.front().b};
   // Each round but the last makes one string slack.
   do {
     const ClusterOutcome outcome = solve(world, restitution);
     if (!outcome.solved) {
-      world.note(&Notices::cluster_unsolved_since, now);
+      world.note(&Notices::cluster_unsolved_since, now, first);
       return false;
     }
     // Closing speeds may be so small that the solution rounds to nothing; pair by pair they still come to an
@@ -154,7 +184,7 @@ bool ImpactCluster::resolve(World& world, double within, ClusterRestitution rest
     const auto acting =
         std::count_if(impacts_.begin(), impacts_.end(), [](const Impact& i) { return i.normal > 0.0; });
     if (acting < (restitution == ClusterRestitution::kOwn ? 2 : 1)) return false;
-    if (outcome.lowered) world.note(&Notices::restitution_lowered_since, now);
+    if (outcome.lowered) world.note(&Notices::restitution_lowered_since, now, first);
   } while (!apply(world));
   if (world.field().has_switching_springs()) {
     for (const BodyIndex i : bodies_) {

@@ -67,7 +67,11 @@ class ImpactCluster {
     for (const Touch& t : touches_) closing_.push_back(closing_speed(t, motion(t.a), motion(t.b)));
     drop_slow();
     keep_connected(world, a, b, touches_);
+    drop_doubles(world);
   }
+  // Of several touches of a body with immovable ones at one point and along one normal, keeps the first: there
+  // these have one surface.
+  void drop_doubles(const World& world);
   // Whether the touches are of more than one pair of bodies.
   [[nodiscard]] bool has_several_pairs() const;
   // Whether the law of simultaneous impacts knows all properties of their surfaces.

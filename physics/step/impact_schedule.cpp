@@ -132,7 +132,7 @@ void EventDrivenImpacts::search(const Step& step, BodyIndex a, BodyIndex b, doub
   if (!world.can_collide(a, b)) return;
   if (step.resting != nullptr && step.resting->finder().stays_supported(world, a, b)) return;
   if (world.work.spent()) {
-    world.note(&Notices::work_spent_since, world.clock.time);
+    world.note(&Notices::work_spent_since, world.clock.time, {a, b});
     end_of_step_.add(a, b, false);
     return;
   }
@@ -147,7 +147,7 @@ void EventDrivenImpacts::search(const Step& step, BodyIndex a, BodyIndex b, doub
         break;
       case NextContact::kPressed:
         if (step.resting == nullptr)
-          world.note(&Notices::resting_since, world.trajectories.epoch() + next.time);
+          world.note(&Notices::resting_since, world.trajectories.epoch() + next.time, {a, b});
         [[fallthrough]];
       case NextContact::kPenetrating:
         end_of_step_.add(a, b, next.kind == NextContact::kPressed);

@@ -1,5 +1,6 @@
 #include "physics/step/penetrations.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <span>
@@ -8,11 +9,14 @@
 #include "physics/step/apply_impact.h"
 #include "physics/step/neighbours.h"
 #include "physics/step/pair_motion.h"
+#include "physics/step/run_clock.h"
 
 namespace carom {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+// Whose pushes add up.
+constexpr std::size_t kFewNeighbours = 5;
 
 // The deepest point (m) of a part against this direction.
 Vec2 lowest_point(const ConvexShapes& shapes, ShapeIndex part, const Pose& pose, const Vec2& direction) {
@@ -73,8 +77,15 @@ Approach overlap_of(const World& world, BodyIndex a, BodyIndex b, const ShapePai
   return at;
 }
 
+// Whether two parts close and have overlapped before now: what comes to touch at the step's end, to rounding,
+// or closes from then on by another's impact, meets in the next step. So the order of impacts does not hang on
+// rounding.
+bool has_met(const Approach& at, double h) {
+  return at.contact.gap < 0.0 && at.speed < 0.0 && at.contact.gap < kSameMoment * h * at.speed;
+}
+
 // The pairs that overlap and close, where a body that moves is in several of them.
-void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighbours& neighbours,
+void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighbours& neighbours, double h,
                std::vector<Hit>& hits) {
   hits.clear();
   const auto has_others = [&](BodyIndex body) {
@@ -84,8 +95,7 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighb
     if (resting || !world.can_collide(a, b) || (!has_others(a) && !has_others(b))) continue;
     world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
       const Approach at = overlap_of(world, a, b, {part_a, part_b}, neighbours);
-      if (at.contact.gap < 0.0 && at.speed < 0.0)
-        hits.push_back({a, b, at.contact, -at.contact.gap / at.speed});
+      if (has_met(at, h)) hits.push_back({a, b, at.contact, -at.contact.gap / at.speed});
     });
   }
 }
@@ -102,19 +112,45 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
   const ForceField& field = world.field();
   double& correction = world.sums.ledger.penetration_correction;
   const double now = world.clock.step_end - trajectories.epoch();
-  find_hits(world, pairs, neighbours, scratch.at_once.hits);
+  find_hits(world, pairs, neighbours, h, scratch.at_once.hits);
   resolve_at_once(world, scratch.at_once, h, now);
   // Each push changes the energy of attraction to all bodies: for many pairs the sum is taken once.
   const bool all_at_once = field.attracts() && world.model->joint_terms.all.empty() &&
                            !world.model->surfaces.stick && pairs.size() > world.model->bodies();
   if (all_at_once) correction -= field.potential_energy(world.state.q);
+  const auto move_apart = [&](const Push& push) {
+    const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
+    const auto& [a, b, by] = push;
+    for (const BodyIndex i : {a, b}) {
+      if (world.infinite_mass(i)) continue;
+      const Vec2 x = trajectories.at_start(i).head<2>();
+      const Vec2 moved = x + (i == a ? -1.0 : 1.0) * inverse_mass[i] * by;
+      if (!all_at_once) {
+        correction +=
+            field.potential_energy_of(i, moved, world.state.q) - field.potential_energy_of(i, x, world.state.q);
+      }
+      trajectories.set_pose(i, {moved.x(), moved.y(), trajectories.at_start(i)[2]});
+      world.state.q.col(i).head<2>() = moved;
+      if (trajectories.is_jointed(i)) world.restore_joints(trajectories.island_of(i));
+    }
+  };
+  // Of the pushes of a body with many others, together no more than those of one with kFewNeighbours.
+  const auto crowding = [&](BodyIndex a, BodyIndex b) {
+    std::size_t most = kFewNeighbours;
+    for (const BodyIndex body : {a, b}) {
+      if (!world.infinite_mass(body)) most = std::max(most, neighbours.of(body).size());
+    }
+    return static_cast<double>(kFewNeighbours) / static_cast<double>(most);
+  };
+  scratch.pushes.clear();
+  if (scratch.pushes.capacity() < pairs.size()) scratch.pushes.reserve(2 * pairs.size());
   // Of two parts.
-  const auto part_them = [&](const WaitingPair& pair, const ShapePair& parts) {
+  const auto strike = [&](const WaitingPair& pair, const ShapePair& parts) {
     const auto [a, b, resting] = pair;
     if (!world.can_collide(a, b)) return;  // one body by now
     Approach at = overlap_of(world, a, b, parts, neighbours);
     const double gap = at.contact.gap;
-    if (gap >= 0.0) return;
+    if (gap >= 0.0 || (!resting && at.speed < 0.0 && !has_met(at, h))) return;
     const Vec2 normal = at.contact.normal;
 
     // Bodies with corners may penetrate at two points: one impact for the middle, then one for the point that
@@ -132,29 +168,22 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
       if (of_pair == ImpactEffect::kJoined) return;
     }
 
-    const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
-    const double share = inverse_mass[a] + inverse_mass[b];
-    const Vec2 push = (resting ? 1.0 : kPenetrationFraction) * -gap / share * normal;
-    for (const BodyIndex i : {a, b}) {
-      if (world.infinite_mass(i)) continue;
-      const Vec2 x = trajectories.at_start(i).head<2>();
-      const Vec2 moved = x + (i == a ? -1.0 : 1.0) * inverse_mass[i] * push;
-      if (!all_at_once) {
-        correction +=
-            field.potential_energy_of(i, moved, world.state.q) - field.potential_energy_of(i, x, world.state.q);
-      }
-      trajectories.set_pose(i, {moved.x(), moved.y(), trajectories.at_start(i)[2]});
-      world.state.q.col(i).head<2>() = moved;
-      if (trajectories.is_jointed(i)) world.restore_joints(trajectories.island_of(i));
+    const double share = world.mass().inverse_mass[a] + world.mass().inverse_mass[b];
+    const Push push{a, b, (resting ? 1.0 : kPenetrationFraction * crowding(a, b)) * -gap / share * normal};
+    if (resting) {
+      move_apart(push);
+    } else {
+      scratch.pushes.push_back(push);
     }
   };
   for (const WaitingPair& pair : pairs) {
     world.work.pass(1);
     if (!world.can_collide(pair.a, pair.b)) continue;
     world.shapes().each_parts(pair.a, pair.b, [&](ShapeIndex part_a, ShapeIndex part_b) {
-      part_them(pair, ShapePair{part_a, part_b});
+      strike(pair, ShapePair{part_a, part_b});
     });
   }
+  for (const Push& push : scratch.pushes) move_apart(push);
   if (all_at_once) correction += field.potential_energy(world.state.q);
   return effect;
 }

@@ -14,16 +14,25 @@ namespace carom {
 // some 20 steps.
 inline constexpr double kPenetrationFraction = 0.2;
 
+// How a pair a < b is moved apart.
+struct Push {
+  BodyIndex a;
+  BodyIndex b;
+  Vec2 by;  // kg m: b, and a the opposite way, divided by their masses
+};
+
 // Buffers for resolve_penetrations().
 struct PenetrationScratch {
   Neighbours neighbours;
   HitsAtOnce at_once;
+  std::vector<Push> pushes;
 };
 
 // At the end of a step of h s: pairs that have met at one moment and share bodies get their impulses at once
-// (hits_at_once.h). Then, in the order of the list, each pair that penetrates gets its impulse if it closes,
-// and is moved apart, by inverse mass: a resting pair completely, another by kPenetrationFraction. The state
-// must be published; its positions are updated. The result is the largest effect of the impacts.
+// (hits_at_once.h). Then, in the order of the list, each pair that penetrates gets its impulse if it closes; a
+// resting one is moved apart completely, by inverse mass, and last all others by kPenetrationFraction, or less
+// in a crowd. The state must be published; its positions are updated. The result is the largest effect of the
+// impacts.
 [[nodiscard]] ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs,
                                                 PenetrationScratch& scratch, double h);
 

@@ -169,11 +169,11 @@ void RestingContacts::find_forces(World& world, double h) {
   report_residual(world, report, pressing_.change_by_forces());
 }
 
-// Replaces the constant forces by linear ones where that is of a higher order. Returns for how long their
-// contacts stay what they are.
+// Replaces the constant forces by linear ones where those are better. Returns for how long their contacts stay
+// what they are.
 double RestingContacts::improve_forces(World& world, double h, double least) {
   const int order = choice_of(kIntegrators, world.method.integrator).order;
-  if (order == 1 || order == 2) return h;
+  if (order == 1) return h;
   const ContactSolverOptions options = solver_options();
   return linear_.improve(world, h, finder_.neighbours(), options.tolerance, options.slip_speed,
                          workspace_.islands, least, found_);

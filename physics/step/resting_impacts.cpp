@@ -61,8 +61,8 @@ void RestingContacts::land(World& world, const LandingTime& landing) const {
 }
 
 // Where impacts are not located in time, pairs that would meet within the step rebound now by the law of
-// impacts, those of one moment at once, else pair by pair, before they can penetrate. What still closes after
-// kMostStrikes rounds is stopped.
+// impacts, those of one moment at once, else pair by pair, before they can penetrate. In the next round so do
+// those that close by then. What still closes after kMostStrikes rounds is stopped.
 void RestingContacts::strike(World& world, double h) {
   if (found_.hits.empty()) return;
   struck_.assign(static_cast<std::size_t>(world.bodies()), 0);
@@ -83,37 +83,50 @@ void RestingContacts::strike(World& world, double h) {
       visit(at.contact, -at.speed, material);
     });
   };
-  std::vector<Hit>& hits = at_once_.hits;
-  hits.clear();
-  for (const auto& [a, b] : found_.hits) {
-    each_hit(a, b, [&, a = a, b = b](const Contact& contact, double closing, const SurfaceLaw&) {
-      hits.push_back({a, b, contact, contact.gap / closing});
-    });
-  }
-  for (const Hit& hit : hits)
-    struck_[static_cast<std::size_t>(hit.a)] = struck_[static_cast<std::size_t>(hit.b)] = 1;
-  bool any = !hits.empty();
-  resolve_at_once(world, at_once_, h, 0.0);
-  const auto strikes = [&](BodyIndex a, BodyIndex b) {
-    bool some = false;
-    each_hit(a, b, [&](const Contact& contact, double, const SurfaceLaw& material) {
-      apply_impact(world, a, b, contact, material, 0.0);
-      struck_[static_cast<std::size_t>(a)] = struck_[static_cast<std::size_t>(b)] = 1;
-      some = true;
-    });
-    return some;
+  // By body: in which round it was struck first, from 1 on; 0: not yet.
+  const auto note_struck = [&](BodyIndex body, int round) {
+    std::uint8_t& first = struck_[static_cast<std::size_t>(body)];
+    if (first == 0) first = static_cast<std::uint8_t>(round);
   };
-  for (const auto& [a, b] : found_.hits) any = strikes(a, b) || any;
+  const auto struck_before = [&](BodyIndex body, int round) {
+    const std::uint8_t first = struck_[static_cast<std::size_t>(body)];
+    return first != 0 && first < round;
+  };
+  // First those that would meet, then those that touch what was struck in an earlier round.
   const Contacts& c = found_.contacts;
-  for (int round = 1; any && round < kMostStrikes; ++round) {
-    any = false;
-    for (int i = 0; i < c.size(); ++i) {
-      const BodyIndex a = c.a[i];
-      const BodyIndex b = c.b[i];
-      const bool again = i > 0 && c.a[i - 1] == a && c.b[i - 1] == b;
-      if (!again && (struck_[static_cast<std::size_t>(a)] != 0 || struck_[static_cast<std::size_t>(b)] != 0))
-        any = strikes(a, b) || any;
+  const auto each_pair = [&](int round, const auto& visit) {
+    if (round == 1) {
+      for (const auto& [a, b] : found_.hits) visit(a, b);
+      return;
     }
+    for (int i = 0; i < c.size(); ++i) {
+      const bool again = i > 0 && c.a[i - 1] == c.a[i] && c.b[i - 1] == c.b[i];
+      if (!again && (struck_before(c.a[i], round) || struck_before(c.b[i], round))) visit(c.a[i], c.b[i]);
+    }
+  };
+  bool any = true;
+  for (int round = 1; any && round <= kMostStrikes; ++round) {
+    std::vector<Hit>& hits = at_once_.hits;
+    hits.clear();
+    each_pair(round, [&](BodyIndex a, BodyIndex b) {
+      each_hit(a, b, [&](const Contact& contact, double closing, const SurfaceLaw&) {
+        hits.push_back({a, b, contact, contact.gap / closing});
+      });
+    });
+    for (const Hit& hit : hits) {
+      note_struck(hit.a, round);
+      note_struck(hit.b, round);
+    }
+    any = !hits.empty();
+    resolve_at_once(world, at_once_, h, 0.0);
+    each_pair(round, [&](BodyIndex a, BodyIndex b) {
+      each_hit(a, b, [&](const Contact& contact, double, const SurfaceLaw& material) {
+        apply_impact(world, a, b, contact, material, 0.0);
+        note_struck(a, round);
+        note_struck(b, round);
+        any = true;
+      });
+    });
   }
 }
 

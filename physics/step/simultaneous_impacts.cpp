@@ -140,7 +140,7 @@ void EventDrivenImpacts::find_closing(const Step& step, BodyIndex a, BodyIndex b
   if (!cluster_.has_several_pairs() || cluster_.touches().size() > 2 * kMostTogether) {
     cluster_.clear();
   } else if (!cluster_.has_law(world)) {
-    world.note(&Notices::order_decided_since, world.trajectories.epoch() + time);
+    world.note(&Notices::order_decided_since, world.trajectories.epoch() + time, {a, b});
     cluster_.clear();
   }
 }
@@ -197,7 +197,7 @@ std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, BodyIn
     divides |= classify_rebound(step, i, j, contact, world.material(contact, i, j), time, false);
     note_disturbed(step, i, j, time);
   }
-  count_at_once(world, time);
+  count_at_once(world, a, b, time);
   rebuild_and_search(step, islands);
   return divides;
 }

@@ -93,9 +93,9 @@ struct World {
   void check_motions() const;
   // Notes it if the method itself makes the energy.
   void check_energy();
-  // Notes the time (s) of the first occurrence.
-  void note(double Notices::*notice, double time) {
-    if (sums.notices.*notice < 0.0) sums.notices.*notice = time;
+  // Keeps the time (s) and the bodies of the first occurrence.
+  void note(double Notices::*notice, double time, const NoticeBodies& of = {}) {
+    if (sums.notices.*notice < 0.0) sums.notices.note(notice, time, of);
   }
 };
 

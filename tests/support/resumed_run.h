@@ -99,7 +99,9 @@ inline std::string difference(const Simulation& a, const Simulation& b, double t
     if (!near(la.*entry.angular, lb.*entry.angular, tolerance))
       return fmt::format("{} {} and {}", entry.angular_key, la.*entry.angular, lb.*entry.angular);
   }
-  if (a.status() != b.status()) return fmt::format("'{}' and '{}'", a.status(), b.status());
+  // Without the names of bodies, which files of earlier versions don't keep.
+  if (a.notices().text() != b.notices().text())
+    return fmt::format("'{}' and '{}'", a.notices().text(), b.notices().text());
   return {};
 }
 

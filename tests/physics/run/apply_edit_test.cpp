@@ -204,6 +204,32 @@ TEST(EditOfARun, WeldsOfTheRunFollowTheirBodies) {
   EXPECT_EQ(run.bodies().size(), 1U);
 }
 
+// A notice keeps to the bodies that it is about: under their new names and places, and without one that is
+// gone.
+TEST(EditOfARun, NoticesFollowTheirBodies) {
+  Scene scene = test::scene_with({wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("far", {1.5, 3.0}, {0.0, 0.0}),
+                                  disc("ball", {0.0, 0.3}, {0.0, 0.0})},
+                                 0.3);
+  scene.forces.gravity = {0.0, -9.81};
+  Simulation run({with_ids(std::move(scene)), {.integrator = IntegratorId::kRk4, .step = 0.01}, {}});
+  run.advance_to(0.8);
+  EXPECT_NE(run.status().find("(floor and ball)"), std::string::npos) << run.status();
+  const auto body_now = [&](const std::string& name) {
+    Scene now;
+    now.bodies = run.bodies();
+    return body_of(now, name);
+  };
+  run.apply({Remove<Body>{body_now("far").id}});
+  EXPECT_NE(run.status().find("(floor and ball)"), std::string::npos) << run.status();
+  Body renamed = body_now("ball");
+  renamed.name = "marble";
+  run.apply({Replace<Body>{renamed}});
+  EXPECT_NE(run.status().find("(floor and marble)"), std::string::npos) << run.status();
+  run.apply({Remove<Body>{body_now("floor").id}});
+  EXPECT_EQ(run.status().find("marble"), std::string::npos) << run.status();
+  EXPECT_NE(run.status(), "ok");
+}
+
 // Edits of a setup: a scene changes at the end of the first step that is not before, a method at the last one
 // that is not after.
 TEST(EditOfARun, ComesAtItsTime) {

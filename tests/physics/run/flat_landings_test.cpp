@@ -89,6 +89,51 @@ TEST(FlatLandings, SquaresThatMeetTipToTipRebound) {
   }
 }
 
+// Squares that meet corner on corner somewhere else than at the origin, where rounding adds up on the way: the
+// first one hands all of its motion over.
+TEST(FlatLandings, SquaresThatMeetTipToTipReboundAnywhere) {
+  for (const Vec2& at :
+       {Vec2(0.0, 0.0), Vec2(10.0, 7.0), Vec2(-3.0, 8.0), Vec2(0.7, -41.0), Vec2(100.0, 70.0)}) {
+    for (const double step : {1.0 / 60.0, 0.005, 0.001}) {
+      for (const double sign : {1.0, -1.0}) {
+        RunSetup s = test::setup_with({box("a", at + Vec2(-0.5, -0.5 * sign), {1.0, sign}, 0.2, 0.2),
+                                       box("b", at, {0.0, 0.0}, 0.2, 0.2)});
+        s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kImpulse, step};
+        Simulation run(s);
+        run.advance_to(0.5);
+        EXPECT_EQ(run.impact_count(), 1) << at.transpose() << ", h = " << step;
+        EXPECT_NEAR((run.state().velocity(1) - Vec2(1.0, sign)).norm(), 0.0, 1e-9);
+        EXPECT_NEAR(run.state().v(2, 1), 0.0, 1e-9) << at.transpose() << ", h = " << step;
+      }
+    }
+  }
+}
+
+// Mirror images that meet tip to tip at any angle stay mirror images: each tip is pushed straight back.
+TEST(FlatLandings, TiltedSquaresThatMeetTipToTipStayMirrorImages) {
+  for (const double tilt : {0.05, 0.143, 0.3, 0.39, 0.45, 0.7}) {
+    for (const double sign : {1.0, -1.0}) {
+      for (const Vec2& shift : {Vec2(0.0, 0.0), Vec2(1.0, 0.0), Vec2(-13.0, 8.0)}) {
+        RunSetup s = test::setup_with({box("a", shift + Vec2(-0.5, 0.0), {1.0, 0.0}, 0.2, 0.2),
+                                       box("b", shift + Vec2(0.5, 0.0), {-1.0, 0.0}, 0.2, 0.2)});
+        s.scene.bodies[0].angle = sign * tilt;
+        s.scene.bodies[1].angle = -sign * tilt;
+        s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, 0.005};
+        Simulation run(s);
+        while (run.impact_count() == 0 && run.time() < 1.0) run.step();
+        // The tip is off the line of centres by this.
+        const double off = std::sqrt(0.02) * std::sin(0.25 * std::numbers::pi - tilt);
+        const double inertia = 0.04 / 6.0;
+        const double impulse = 2.0 / (1.0 + off * off / inertia);
+        EXPECT_NEAR(run.state().velocity(0).x(), 1.0 - impulse, 1e-9) << tilt << ", " << shift.transpose();
+        EXPECT_NEAR(run.state().velocity(0).y(), 0.0, 1e-9);
+        EXPECT_NEAR(std::abs(run.state().v(2, 0)), impulse * off / inertia, 1e-9);
+        EXPECT_NEAR(run.state().v(2, 0), -run.state().v(2, 1), 1e-9);
+      }
+    }
+  }
+}
+
 // A box that lands half over an edge: the impulse acts where both ends of the stretch stop.
 TEST(FlatLandings, ABoxOverAnEdgeDoesNotTurnWhileItsCentreIsSupported) {
   for (const double x : {0.45, 0.2, -0.3}) {

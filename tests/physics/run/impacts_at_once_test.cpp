@@ -218,7 +218,63 @@ TEST(ImpactsAtOnce, EachContactHasItsOwnRestitution) {
   EXPECT_NEAR(run.ledger().lost_to_restitution, 2.0 / 3.0, 1e-14);
 }
 
-// Surfaces for which no law of several contacts is known: the run says that the order decided.
+// A ball breaks a triangle whose balls touch, at the steps' ends: neither the order of the bodies nor which of
+// them is pushed out of the other first breaks the mirror symmetry.
+TEST(ImpactsAtOnce, ATriangleBreaksAlikeInEveryOrderOfTheBodies) {
+  const std::vector<Body> balls = {disc("cue", {-1.003, 0.0}, {2.0, 0.0}),
+                                   disc("first", {0.0, 0.0}, {0.0, 0.0}),
+                                   disc("upper", {0.1 * std::sqrt(3.0), 0.1}, {0.0, 0.0}),
+                                   disc("lower", {0.1 * std::sqrt(3.0), -0.1}, {0.0, 0.0})};
+  for (const double step : {0.01, 0.005, 0.001}) {
+    std::vector<int> order = {0, 1, 2, 3};
+    do {
+      std::vector<Body> bodies;
+      for (const int i : order) bodies.push_back(balls[static_cast<std::size_t>(i)]);
+      RunSetup s = test::setup_with(bodies);
+      s.method.impacts = ImpactsId::kStepEnd;
+      s.method.step = step;
+      Simulation run(s);
+      run.advance_to(1.4);
+      const auto velocity = [&](int ball) {
+        const auto at = std::find(order.begin(), order.end(), ball) - order.begin();
+        return Vec2(run.state().velocity(static_cast<int>(at)));
+      };
+      EXPECT_NEAR(velocity(0).y(), 0.0, 1e-9) << step;
+      EXPECT_NEAR(velocity(1).y(), 0.0, 1e-9) << step;
+      EXPECT_NEAR((velocity(2) - Vec2(velocity(3).x(), -velocity(3).y())).norm(), 0.0, 1e-9)
+          << step << ", " << order[0] << order[1] << order[2] << order[3];
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+}
+
+// A ball breaks a rhombus where bodies may come to rest on each other, at the steps' ends: what is struck
+// strikes on in the next round, both sides at once.
+TEST(ImpactsAtOnce, ARhombusBreaksAlikeInEveryOrderOfTheBodies) {
+  const double far = 0.05 * std::sqrt(3.0);
+  const std::vector<Body> balls = {
+      disc("cue", {-0.37, 0.0}, {1.3, 0.0}, 0.05), disc("first", {0.0, 0.0}, {0.0, 0.0}, 0.05),
+      disc("upper", {far, 0.05}, {0.0, 0.0}, 0.05), disc("lower", {far, -0.05}, {0.0, 0.0}, 0.05),
+      disc("last", {2.0 * far, 0.0}, {0.0, 0.0}, 0.05)};
+  for (const double restitution : {0.5, 0.9}) {
+    std::vector<int> order = {0, 1, 2, 3, 4};
+    do {
+      std::vector<Body> bodies;
+      for (const int i : order) bodies.push_back(balls[static_cast<std::size_t>(i)]);
+      RunSetup s = test::setup_with(bodies, restitution);
+      s.method = {IntegratorId::kRk4, ImpactsId::kStepEnd, ContactsId::kLasting, 0.005};
+      Simulation run(s);
+      run.advance_to(0.3);
+      const auto velocity = [&](int ball) {
+        const auto at = std::find(order.begin(), order.end(), ball) - order.begin();
+        return Vec2(run.state().velocity(static_cast<int>(at)));
+      };
+      EXPECT_NEAR(velocity(4).y(), 0.0, 1e-9);
+      EXPECT_NEAR((velocity(2) - Vec2(velocity(3).x(), -velocity(3).y())).norm(), 0.0, 1e-9) << restitution;
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+}
+
+// Surfaces for which no law of several contacts is known: the run says that the order decided, and of whom.
 TEST(ImpactsAtOnce, SaysWhereTheOrderDecides) {
   for (const bool sticks : {false, true}) {
     RunSetup s = OneOnTwo().setup();
@@ -227,6 +283,7 @@ TEST(ImpactsAtOnce, SaysWhereTheOrderDecides) {
     Simulation run(s);
     run.advance_to(1.0);
     EXPECT_NE(run.notices().text().find("in the order of the bodies"), std::string::npos);
+    EXPECT_NE(run.status().find("(cue and "), std::string::npos) << run.status();
   }
 }
 

@@ -112,6 +112,8 @@ TEST(RunStateFile, NoticesAndSumsStay) {
         &Notices::joints_missed_since, &Notices::order_decided_since}) {
     checkpoint.sums.notices.*entry = next *= 1.1;
   }
+  checkpoint.sums.notices.bodies[0] = {BodyIndex{0}, BodyIndex{1}};
+  checkpoint.sums.notices.bodies[9] = {BodyIndex{1}, BodyIndex{2}};
   saved.saved->checkpoint = std::make_shared<Checkpoint>(checkpoint);
   const Simulation one(setup_of(saved));
   const Simulation two(setup_of(parse_preset(write_preset(saved), "saved")));
@@ -119,6 +121,13 @@ TEST(RunStateFile, NoticesAndSumsStay) {
   const std::string text = two.notices().text();
   EXPECT_EQ(text.find("scene was changed"), std::string::npos) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), ';'), 13) << text;
+  EXPECT_EQ(one.status(), two.status());
+  const std::string& second = two.bodies()[1].name;
+  EXPECT_NE(two.status().find(fmt::format("({} and {})", two.bodies()[0].name, second)), std::string::npos);
+  EXPECT_NE(two.status().find(fmt::format("({} and {})", second, two.bodies()[2].name)), std::string::npos);
+  checkpoint.sums.notices.bodies[9] = {BodyIndex{1}, BodyIndex{99}};
+  saved.saved->checkpoint = std::make_shared<Checkpoint>(checkpoint);
+  EXPECT_THROW(static_cast<void>(parse_preset(write_preset(saved), "saved")), SceneError);
 }
 
 TEST(RunStateFile, WhatIsNoPhysicsMayChange) {

