@@ -26,6 +26,11 @@ struct Bend {
   Vec2 acceleration;  // m/s²
 };
 
+Bend bend_of(const Trajectories& trajectories, BodyIndex a, BodyIndex b, double bound, bool alike) {
+  const Eigen::Vector3d by = trajectories.constant_acceleration(b) - trajectories.constant_acceleration(a);
+  return {bound, alike, by.head<2>()};
+}
+
 // A pair whose gap evaluations are charged to the step's budget; the search ends when that is spent. Without
 // turning corners the first kShort evaluations are charged to the run's reserve.
 template <class Pair>
@@ -162,7 +167,6 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
           ? (trajectories.constant_acceleration(b) - trajectories.constant_acceleration(a)).head<2>().norm()
           : trajectories.curvature_bound(a) + trajectories.curvature_bound(b);
   const double bound = curvature(world, a, b, path_bound);
-  const bool alike = parabolic && !bent && bound == path_bound;
   // A run that has blown up: squares overflow, and no contact means anything.
   constexpr double kBlownUp = 1e100;  // m/s²
   if (!(bound < kBlownUp)) return {};
@@ -218,10 +222,8 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
   }
   const TurningSample last = pair(end);
   SearchLimit limit{.looks = resting ? kMostLooksAtRest : kMostLooks};
-  const Vec2 acceleration =
-      (trajectories.constant_acceleration(b) - trajectories.constant_acceleration(a)).head<2>();
-  const Paid paid(pair, trajectories, world.has_moving_corners(a, b), {bound, alike, acceleration}, world.work,
-                  limit);
+  const Bend bend = bend_of(trajectories, a, b, bound, parabolic && !bent && bound == path_bound);
+  const Paid paid(pair, trajectories, world.has_moving_corners(a, b), bend, world.work, limit);
   const auto time = first_contact(paid, start, first, end, last, bound, tolerance, limit);
   if (limit.reached && !resting) world.note(&Notices::search_cut_since, trajectories.epoch() + start, {a, b});
   if (!time || (resting && waits(-paths.approach(a, b, parts, *time, tolerance).speed))) return {};

@@ -100,6 +100,32 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighb
   }
 }
 
+// `with_energy`: enters the change of energy.
+void move_apart(World& world, const Push& push, bool with_energy) {
+  const auto& [a, b, by] = push;
+  for (const BodyIndex i : {a, b}) {
+    if (world.infinite_mass(i)) continue;
+    const Vec2 x = world.trajectories.at_start(i).head<2>();
+    const Vec2 moved = x + (i == a ? -1.0 : 1.0) * world.mass().inverse_mass[i] * by;
+    if (with_energy) {
+      world.sums.ledger.penetration_correction += world.field().potential_energy_of(i, moved, world.state.q) -
+                                                  world.field().potential_energy_of(i, x, world.state.q);
+    }
+    world.trajectories.set_pose(i, {moved.x(), moved.y(), world.trajectories.at_start(i)[2]});
+    world.state.q.col(i).head<2>() = moved;
+    if (world.trajectories.is_jointed(i)) world.restore_joints(world.trajectories.island_of(i));
+  }
+}
+
+// Of the pushes of a body with many others, together no more than those of one with kFewNeighbours.
+double crowding(const World& world, const Neighbours& neighbours, BodyIndex a, BodyIndex b) {
+  std::size_t most = kFewNeighbours;
+  for (const BodyIndex body : {a, b}) {
+    if (!world.infinite_mass(body)) most = std::max(most, neighbours.of(body).size());
+  }
+  return static_cast<double>(kFewNeighbours) / static_cast<double>(most);
+}
+
 }  // namespace
 
 ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs,
@@ -118,30 +144,6 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
   const bool all_at_once = field.attracts() && world.model->joint_terms.all.empty() &&
                            !world.model->surfaces.stick && pairs.size() > world.model->bodies();
   if (all_at_once) correction -= field.potential_energy(world.state.q);
-  const auto move_apart = [&](const Push& push) {
-    const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
-    const auto& [a, b, by] = push;
-    for (const BodyIndex i : {a, b}) {
-      if (world.infinite_mass(i)) continue;
-      const Vec2 x = trajectories.at_start(i).head<2>();
-      const Vec2 moved = x + (i == a ? -1.0 : 1.0) * inverse_mass[i] * by;
-      if (!all_at_once) {
-        correction +=
-            field.potential_energy_of(i, moved, world.state.q) - field.potential_energy_of(i, x, world.state.q);
-      }
-      trajectories.set_pose(i, {moved.x(), moved.y(), trajectories.at_start(i)[2]});
-      world.state.q.col(i).head<2>() = moved;
-      if (trajectories.is_jointed(i)) world.restore_joints(trajectories.island_of(i));
-    }
-  };
-  // Of the pushes of a body with many others, together no more than those of one with kFewNeighbours.
-  const auto crowding = [&](BodyIndex a, BodyIndex b) {
-    std::size_t most = kFewNeighbours;
-    for (const BodyIndex body : {a, b}) {
-      if (!world.infinite_mass(body)) most = std::max(most, neighbours.of(body).size());
-    }
-    return static_cast<double>(kFewNeighbours) / static_cast<double>(most);
-  };
   scratch.pushes.clear();
   if (scratch.pushes.capacity() < pairs.size()) scratch.pushes.reserve(2 * pairs.size());
   // Of two parts.
@@ -169,9 +171,10 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
     }
 
     const double share = world.mass().inverse_mass[a] + world.mass().inverse_mass[b];
-    const Push push{a, b, (resting ? 1.0 : kPenetrationFraction * crowding(a, b)) * -gap / share * normal};
+    const double part = resting ? 1.0 : kPenetrationFraction * crowding(world, neighbours, a, b);
+    const Push push{a, b, part * -gap / share * normal};
     if (resting) {
-      move_apart(push);
+      move_apart(world, push, !all_at_once);
     } else {
       scratch.pushes.push_back(push);
     }
@@ -183,7 +186,7 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
       strike(pair, ShapePair{part_a, part_b});
     });
   }
-  for (const Push& push : scratch.pushes) move_apart(push);
+  for (const Push& push : scratch.pushes) move_apart(world, push, !all_at_once);
   if (all_at_once) correction += field.potential_energy(world.state.q);
   return effect;
 }
