@@ -274,6 +274,35 @@ TEST(ImpactsAtOnce, ARhombusBreaksAlikeInEveryOrderOfTheBodies) {
   }
 }
 
+// A rough ball bounces on the seam of two tiles, or beside it by rounding and more: as on one floor.
+TEST(ImpactsAtOnce, ABallOnASeamBouncesAsOnOneFloor) {
+  constexpr double kGravity = 9.81;  // m/s²
+  for (const double angle : {0.0, 0.3, -1.1}) {
+    for (const double beside : {0.0, 1e-13, -1e-13, 1e-11, -1e-11, 1e-10, 1e-9}) {
+      for (const double step : {1.0 / 60.0, 0.005}) {
+        RunSetup s = test::setup_with(
+            {test::wall("left", {-0.5, -0.1}, 1.0, 0.2), test::wall("right", {0.5, -0.1}, 1.0, 0.2),
+             disc("ball", {beside, 0.57}, {0.0, 0.0})},
+            0.9, 0.3);
+        s.scene.forces.gravity = turned({0.0, -kGravity}, angle);
+        for (Body& b : s.scene.bodies) {
+          b.position = turned(b.position, angle);
+          b.angle = angle;
+        }
+        s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+        Simulation run(s);
+        run.advance_to(1.9);
+        EXPECT_EQ(run.impact_count(), 4) << angle << ", " << beside << ", h = " << step;
+        // Of four bounces.
+        const double left = std::pow(0.9, 8) * kGravity * 0.47;
+        EXPECT_NEAR(run.ledger().lost_to_restitution, kGravity * 0.47 - left, 1e-6)
+            << angle << ", " << beside << ", h = " << step;
+        EXPECT_EQ(run.notices().text(), "ok");
+      }
+    }
+  }
+}
+
 // Surfaces for which no law of several contacts is known: the run says that the order decided, and of whom.
 TEST(ImpactsAtOnce, SaysWhereTheOrderDecides) {
   for (const bool sticks : {false, true}) {
