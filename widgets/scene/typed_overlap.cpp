@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -26,7 +27,11 @@ QString typed_overlap(const Scene& scene, const SceneEdits& edits) {
   });
   if (!replaces) return {};
   Scene after = scene;
-  apply_edits(after, edits);
+  try {
+    apply_edits(after, edits);
+  } catch (const std::out_of_range&) {
+    return {};  // of a part that is gone: the edit itself is refused
+  }
   std::map<std::pair<std::string, std::string>, double> before;  // m
   for (const Overlap& each : overlaps_among(scene.bodies, scene.joints)) before[names_of(each)] = each.depth;
   const Overlap* deepest = nullptr;

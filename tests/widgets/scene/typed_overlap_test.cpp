@@ -46,5 +46,12 @@ TEST_F(TypedOverlapTest, NothingIsSaidOfTouchingNorOfOtherEdits) {
   EXPECT_NE(said([](Body& body) { body.position.x() = 0.01; }), "");
 }
 
+// A field may still show a body that the scene has lost meanwhile; the edit itself is refused then.
+TEST_F(TypedOverlapTest, NothingIsSaidOfABodyThatIsGone) {
+  Body gone = scene_.bodies[0];
+  gone.id.number = 99;
+  EXPECT_EQ(typed_overlap(scene_, {Replace<Body>{gone}}).toStdString(), "");
+}
+
 }  // namespace
 }  // namespace carom
