@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/math/vectors.h"
+
 namespace carom {
 namespace {
 
@@ -11,6 +13,10 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRounding = 8.0 * kEpsilon;  // of a separation, relative to the frame's scale
 // Cosine of the angle between the normals of two edges that are no corner but two faces.
 constexpr double kFaces = 0.999;
+// Tips that have gone into each other, relative to the scale: by more than this, and edges part them equally
+// well within the second.
+constexpr double kDeep = 1e-7;
+constexpr double kTied = 1e-11;
 
 // An edge of the sum: it starts at b's vertex j minus a's vertex i and is an edge of b or of -a. Without
 // initialisers here and in Sum: add_up() sets what is read, and a pair's search would spend its time on them.
@@ -128,6 +134,25 @@ ClosestFeatures parting_edge(const PairFrame& frame, double tie) {
   Sum sum;
   add_up(frame, tie, sum);
   return at_farthest(sum);
+}
+
+std::optional<OverlappingTips> overlapping_tips(const PairFrame& frame) {
+  Sum sum;
+  add_up(frame, 0.0, sum);
+  if (!(sum.separation < -kDeep * frame.scale)) return std::nullopt;
+  Vec2 all = Vec2::Zero();
+  for (int k = 0; k < sum.count; ++k) {
+    if (sum.edge[k].separation() >= sum.separation - kTied * frame.scale) all += sum.edge[k].normal;
+  }
+  // One direction only, or opposite ones.
+  const Vec2& nearest = sum.edge[sum.farthest].normal;
+  if (all.squaredNorm() < kTied || std::abs(cross(all.normalized(), nearest)) < kTied) return std::nullopt;
+  const Vec2 out = all.normalized();
+  const SumEdge* tip = std::max_element(
+      sum.edge.data(), sum.edge.data() + sum.count,
+      [&](const SumEdge& one, const SumEdge& other) { return out.dot(one.start) < out.dot(other.start); });
+  if (std::abs(cross(out, tip->start)) > kTied * frame.scale) return std::nullopt;
+  return OverlappingTips{-out, tip->i, tip->j};
 }
 
 ClosestFeatures closest_features(const PairFrame& frame, double tie) {

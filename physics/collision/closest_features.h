@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "physics/model/convex.h"
 
@@ -41,6 +42,16 @@ struct ClosestFeatures {
 // the other. With a `tie` (relative to the scale) above rounding, an edge of a is taken there if it parts them
 // worse by no more than that.
 [[nodiscard]] ClosestFeatures closest_features(const PairFrame& frame, double tie = 0.0);
+
+// Corners of two cores that have gone into each other tip to tip: several edges of least penetration, within
+// rounding, with the tips behind each other along the middle of their normals. Nothing if the cores do not
+// overlap by more than rounding.
+struct OverlappingTips {
+  Vec2 normal;  // from a to b, in the frame of a
+  int vertex_a;
+  int vertex_b;
+};
+[[nodiscard]] std::optional<OverlappingTips> overlapping_tips(const PairFrame& frame);
 
 // The edge with the greatest separation: that of closest_features, unless two vertices are nearest.
 [[nodiscard]] ClosestFeatures parting_edge(const PairFrame& frame, double tie = 0.0);

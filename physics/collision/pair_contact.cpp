@@ -176,6 +176,18 @@ Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
   const double rounding_b = shapes.rounding[b];
   Touch touch{closest.normal, closest.separation - (rounding_a + rounding_b), Vec2::Zero(), false, 1, {}};
 
+  if (!prefer_faces && rounding_a + rounding_b == 0.0 && frame.edges_a >= 3 && frame.edges_b >= 3) {
+    if (const auto tips = overlapping_tips(frame)) {
+      const Vec2& on_a = frame.a[tips->vertex_a].vertex;
+      const Vec2& on_b = frame.vertex[static_cast<std::size_t>(tips->vertex_b)];
+      touch.normal = tips->normal;
+      touch.gap = tips->normal.dot(on_b - on_a);
+      touch.point = 0.5 * (on_a + on_b);
+      touch.points[0] = {touch.point, touch.gap, feature_id(Ends::kVertices, tips->vertex_a, tips->vertex_b)};
+      return touch;
+    }
+  }
+
   // The point of b's core; opposite a's vertex if that is nearest to an edge of b.
   Vec2 on_b = frame.vertex[closest.vertex_b];
   if (closest.edge_b >= 0) on_b = frame.a[closest.vertex_a].vertex + closest.separation * closest.normal;

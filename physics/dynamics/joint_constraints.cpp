@@ -163,7 +163,8 @@ void JointConstraints::fill_row(Group& g, int i, double t, const Motions& y) con
   }
   const Ends e = ends_of(joint, t, y, row.a, row.b);
   Vec2 n = row.axis == 0 ? Vec2::UnitX() : Vec2::UnitY();
-  g.size[i] = e.size;
+  // Where all coordinates are about zero, the gap's scale is the body's size.
+  g.size[i] = std::max({e.size, model_->shapes.size[joint.body], std::numeric_limits<double>::min()});
   if (joint.rows > 1) {
     g.gap[i] = n.dot(e.d);
     g.velocity_term[i] = n.dot(e.velocity_term);

@@ -342,7 +342,7 @@ SavedRun read_clock(const Json& json) {
   r.needed({"time", "a number, in s"}, [&](const ValueReader& v) {
     if (!v.has_value()) return;
     take(v, saved.time);
-    if (!kClock.contains(saved.time)) refuse_value(v.place(), quoted(v.value()), kClock.text());
+    if (!kMomentOfRun.contains(saved.time)) refuse_value(v.place(), quoted(v.value()), kMomentOfRun.text());
   });
   r.member({"fingerprint", ""}, [&](const ValueReader& v) {
     const std::string text = v.text({0, 16});

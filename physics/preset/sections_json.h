@@ -12,6 +12,11 @@
 // The parts of a preset file and what they stand for.
 namespace carom {
 
+// Moments of a run, and where a saved one goes on.
+inline constexpr Range kMomentOfRun = from_zero("s");
+// What stands at a place of the file in another run, by a setting or a sweep.
+inline constexpr Range kSetNumber = any_number("");
+
 template <class V>
 void fields(V& v, Is<View> auto& view) {
   v.field({"center", "[x, y]"}, view.center, any_number("m"));
@@ -27,8 +32,7 @@ struct LateBody {
 
 template <class V>
 void fields(V& v, Is<LateBody> auto& late) {
-  v.required({"time", "when it comes in: at the end of the first step from here on"}, late.time,
-             from_zero("s"));
+  v.required({"time", "when it comes in: at the end of the first step from here on"}, late.time, kMomentOfRun);
   v.required_object({"body", "as it is then, with the keys of a body"}, late.body);
 }
 
@@ -46,14 +50,14 @@ void reduction_fields(V& v, Is<Expectation> auto& e) {
           index_of(kReductionNames, e.reduction), [&](std::size_t i, V& k) {
             const Reduction reduction = kReductionNames[i].id;
             k.chosen(e.reduction, reduction);
-            if (reduction == Reduction::kAt) k.required({"time", "when"}, e.time, from_zero("s"));
+            if (reduction == Reduction::kAt) k.required({"time", "when"}, e.time, kMomentOfRun);
             if (reduction == Reduction::kAtImpact)
               k.required({"impact", "after which impact: 1, 2, ..."}, e.impact, Whole{1, 1e9});
             if (reduction == Reduction::kCount)
               k.required({"above", "in the observable's unit"}, e.above, any_number(""));
             if (looks_over_time(reduction) && k.shows(e.from != 0.0))
-              k.field({"from", "when it begins"}, e.from, from_zero("s"));
-            if (reduction != Reduction::kAt) k.field({"until", "when it ends"}, e.until, from_zero("s"));
+              k.field({"from", "when it begins"}, e.from, kMomentOfRun);
+            if (reduction != Reduction::kAt) k.field({"until", "when it ends"}, e.until, kMomentOfRun);
           });
 }
 
@@ -81,10 +85,7 @@ void read_force(FieldReader& r, const std::string& at, int index, Forces& forces
 [[nodiscard]] Plot read_plot(const ValueReader& value);
 [[nodiscard]] Json plot_json(const Plot& plot);
 
-// The section "state": where a saved run goes on.
-inline constexpr Range kClock = from_zero("s");
-
-// The clock and, where there is one, the fingerprint. Throws SceneError.
+// The section "state": the clock and, where there is one, the fingerprint. Throws SceneError.
 [[nodiscard]] SavedRun read_clock(const Json& json);
 
 // Reads the checkpoint, of a scene that is valid and that it belongs to (see state_belongs). Throws SceneError

@@ -77,7 +77,7 @@ void check_sweep(const std::string& at, const Sweep& sweep) {
   }
   for (std::size_t i = 0; i < sweep.values.size(); ++i) {
     const std::string place = fmt::format("{}/values/{}", at, i);
-    check_range(place, sweep.values[i], any_number(""));
+    check_range(place, sweep.values[i], kSetNumber);
     if (sweep.reduction == Reduction::kExponent && !(sweep.values[i] >= kLeastPositive))
       refuse_by(Rule::kOrderOfNumbers, place, fmt::format("{}", sweep.values[i]), positive("").text());
     if (i > 0 && least > 1 && !(sweep.values[i] > sweep.values[i - 1]))
@@ -94,7 +94,7 @@ void check_expectation(const std::string& at, const Expectation& e, const NamedB
   value_fields(check, e);
   if (e.until) check_order(at + "/until", *e.until, e.from, "from");
   for (const Setting& s : e.settings) {
-    check_range(fmt::format("{}/with {}", at, s.place), s.value, any_number(""));
+    check_range(fmt::format("{}/with {}", at, s.place), s.value, kSetNumber);
   }
   if (e.over) check_sweep(at + "/over", *e.over);
 }
@@ -138,7 +138,7 @@ void check_late_bodies(const Preset& preset, const ForcePlaces& places, const Ru
   for (std::size_t i = 0; i < preset.edits.size(); ++i) {
     const double time = preset.edits[i].time;
     const std::string place = fmt::format("/added/{}/time", i);
-    check_range(place, time, from_zero("s"));
+    check_range(place, time, kMomentOfRun);
     check_order(place, time, last, "the time before it");
     last = time;
     scene.bodies.push_back(added_body(preset.edits[i]));
@@ -238,8 +238,8 @@ void validate(const Preset& preset, const ForcePlaces& places) {
     check_fields(fmt::format("/compare/{}", i), preset.compare[i]);
   }
   check_range("/duration", preset.duration, kDuration);
-  if (preset.saved && !kClock.contains(preset.saved->time))
-    refuse_by(Rule::kSavedRun, "/state/time", fmt::format("{}", preset.saved->time), kClock.text());
+  if (preset.saved && !kMomentOfRun.contains(preset.saved->time))
+    refuse_by(Rule::kSavedRun, "/state/time", fmt::format("{}", preset.saved->time), kMomentOfRun.text());
   const RunBegin begin{start_time(preset.saved), state_belongs(preset.scene, preset.saved)};
   validate(preset.scene, places, begin);
   check_integrator("/method", preset.scene, preset.method);

@@ -90,7 +90,7 @@ Json quantity_json(const QuantityName& q) {
 void read_sweep(FieldReader& r, Sweep& s) {
   r.required({"place", "the JSON pointer of a number of this file"}, s.place, kWords);
   r.needed({"values", "an array of numbers"}, [&](const ValueReader& v) {
-    v.list({1, kMostSweepValues}, [&](const ValueReader& x) { s.values.push_back(x.number(any_number(""))); });
+    v.list({1, kMostSweepValues}, [&](const ValueReader& x) { s.values.push_back(x.number(kSetNumber)); });
   });
   r.put("values", s.values);
   r.cases({"reduction", "what the numbers of the runs are reduced to"}, words_of(kSweepNames),
@@ -156,7 +156,7 @@ void read_expectation(FieldReader& r, Expectation& e) {
   for (const Setting& s : e.settings) with[s.place] = s.value;
   if (!with.is_null()) r.put("with", with);
   r.member({"with", "numbers of this file by their JSON pointers"}, [&](const ValueReader& v) {
-    v.numbers(kMostSettings, any_number(""), [&](const std::string& place, double x) {
+    v.numbers(kMostSettings, kSetNumber, [&](const std::string& place, double x) {
       e.settings.push_back({place, x});
     });
   });

@@ -2,8 +2,16 @@
 
 #include <algorithm>
 
+#include "physics/model/surface_law.h"
+
 // When a pair whose bounces lose energy comes to rest on each other, instead of bouncing faster and faster.
 namespace carom {
+
+// m/s: the speed by which an impact is told from a contact that closes gently. Bodies that stick don't rebound,
+// but meet by an impact whenever they close faster than they could rest.
+[[nodiscard]] inline double impact_speed(const SurfaceLaw& law, double closing) {
+  return law.sticks ? closing : law.restitution * closing;
+}
 
 // m/s; a pressed contact that rebounds slower than this is at rest: it would hop by v²/2g = 5e-14 m.
 inline constexpr double kRestSpeed = 1e-6;

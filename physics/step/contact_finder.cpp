@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "physics/contact/contact_velocity.h"
+#include "physics/step/coming_to_rest.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -177,7 +178,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const double closing = -u.normal;
     const double press = step.pressing.between(world, step.memory, a, b, at.point, m.normal);
     const double rest = step.pressing.rest_speed(world, press, material.restitution);
-    const bool slow = material.restitution * closing <= rest;
+    const bool slow = impact_speed(material, closing) <= rest;
     // With impacts at their own time fast ones are left to the event queue.
     const bool open = at.gap > rounding;
     // Other contacts may press it within the step as hard as any force.

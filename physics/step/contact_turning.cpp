@@ -99,12 +99,14 @@ bool leaves(const Contacts& c, int i, const ManifoldPoint& at, const Manifold& e
   return at.gap - 0.5 * along_end * h * h > 0.0 && parting - along_end * h > 0.0;
 }
 
-// A contact that keeps its normal: with `moves`, its point moves with the discs, or as its bodies do on
-// average.
+// A contact that keeps its normal: its point moves with the discs, or as its bodies do on average. Without
+// `moves`, these move alike.
 GuessedEnd carried(const Geometry& g, const Contacts& c, int i, const Vec2& start, const Flown& a,
                    const Flown& b, bool moves) {
   GuessedEnd end{start, c.normal[i], c.gap[i]};
-  if (moves) {
+  if (!moves) {
+    end.point += 0.5 * (a.moved + b.moved).head<2>();
+  } else {
     const Vec2 by_a = a.moved.head<2>() + a.moved[2] * crossed(c.arm_a[i]);
     const Vec2 by_b = b.moved.head<2>() + b.moved[2] * crossed(c.arm_b[i]);
     end.gap += (by_b - by_a).dot(c.normal[i]);

@@ -218,6 +218,11 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
     if (next.b < 0) {
       const int island = trajectories.island_of(next.a);
       world.sums.ledger.lost_to_dampers += trajectories.advance_to_end(island);
+      // A string that goes taut or slack, or a spring that acts from now on, disturbs contacts as impacts do.
+      // The adaptive integrator's own steps end trajectories, too.
+      if (!choice_of(kIntegrators, world.method.integrator).adaptive) {
+        for (const BodyIndex i : trajectories.members(island)) note_disturbed(step, i, i, next.time);
+      }
       if (++trajectory_ends_ % most_trajectory_ends == 0) stretch_ *= 2.0;
       rebuild(step, island);
       search_island(step, island);
@@ -277,6 +282,7 @@ bool EventDrivenImpacts::resolve_alone(const Step& step, BodyIndex a, BodyIndex 
   if (comes_to_rest(step, a, b, contact)) law.restitution = 0.0;
   const ImpactEffect effect = apply_impact(world, a, b, contact, law, time);
   if (effect == ImpactEffect::kJoined) {
+    note_disturbed(step, a, b, time);
     last_impact_ = time;
     rebuild_all(step);
     return false;

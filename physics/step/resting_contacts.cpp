@@ -194,7 +194,13 @@ double RestingContacts::hold(World& world, double h, double least) {
   prepared_ = false;
   read_velocities(world);
   project_penetrations(world);
+  const std::size_t welds = world.trajectories.welds().size();
   strike(world, h);
+  if (world.trajectories.welds().size() != welds) {
+    // Bodies that have stuck together are one, with other contacts.
+    find_contacts(world, h);
+    return hold(world, h, least);
+  }
   read_velocities(world);
   stop_approaches(world, h);
   find_forces(world, h);

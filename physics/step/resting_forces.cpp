@@ -19,6 +19,9 @@ constexpr int kMostGuesses = 6;
 constexpr int kMostGuessesOfMany = 2;  // of more than kFewContacts
 constexpr int kFewContacts = 16;
 constexpr double kGuessed = 1e-9;
+// Of a body's acceleration by other forces: so much counts as pressing it, so that a change of its speed by no
+// more than those forces make is not sudden (see turn_contacts).
+constexpr double kHeld = 1.0 / 30.0;
 // Rounds in which contacts break away from static friction in one step.
 constexpr int kMostBreaks = 3;
 // Corrections of the contact forces where the integrator's flight is not linear in them.
@@ -31,6 +34,56 @@ void report_residual(World& world, const ContactSolverReport& report, double by_
   world.note(&Notices::contacts_left_since, world.clock.time);
   double& left = world.sums.notices.contacts_left;
   left = std::max(left, report.residual);
+}
+
+// Of the impulses of joints and contacts, each found from the other's last.
+constexpr int kMostStopRounds = 200;
+
+bool joints_hold(const World& world, const Contacts& c) {
+  for (int i = 0; i < c.size(); ++i) {
+    if (world.trajectories.is_jointed(c.a[i]) || world.trajectories.is_jointed(c.b[i])) return true;
+  }
+  return false;
+}
+
+// Stops contacts some of whose bodies are jointed, and gives the trajectories the velocities after it. A body
+// gives way to a contact less than it would without its joints, so that the rounds converge: `solve` finds the
+// contacts' impulses without joints from `free`, which takes what joints changed in the round before.
+template <class Solve>
+ContactSolverReport stop_with_joints(World& world, const Contacts& c, const Eigen::Matrix3Xd& before,
+                                     double tolerance, const Solve& solve, Eigen::Matrix3Xd& free,
+                                     Eigen::Matrix3Xd& after) {
+  std::vector<BodyIndex> bodies;
+  for (int i = 0; i < c.size(); ++i) {
+    for (const BodyIndex body : {c.a[i], c.b[i]}) {
+      if (!world.infinite_mass(body)) bodies.push_back(body);
+    }
+  }
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  Eigen::Matrix3Xd own(3, static_cast<Eigen::Index>(bodies.size()));  // changes by contacts alone
+  Eigen::Matrix3Xd all = own;
+  ContactSolverReport report;
+  do {  // again where a string would have to push, and is slack from now on
+    free = before;
+    for (int round = 0; round < kMostStopRounds; ++round) {
+      report = solve(free);
+      for (std::size_t k = 0; k < bodies.size(); ++k)
+        own.col(static_cast<Eigen::Index>(k)) = after.col(bodies[k]) - free.col(bodies[k]);
+      all = own;
+      world.trajectories.project_changes(bodies, all);
+      double off = 0.0;
+      for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const BodyIndex i = bodies[k];
+        const Eigen::Vector3d by = before.col(i) + all.col(static_cast<Eigen::Index>(k)) - after.col(i);
+        off = std::max(off, by.head<2>().norm() + std::abs(by[2]) * world.shapes().size[i]);
+        free.col(i) += by;
+      }
+      if (off <= tolerance) break;
+    }
+  } while (!world.trajectories.apply_changes(bodies, own));
+  for (BodyIndex i{0}; i < world.bodies(); ++i) after.col(i) = world.trajectories.at_start(i).segment<3>(3);
+  return report;
 }
 
 }  // namespace
@@ -75,7 +128,12 @@ void RestingContacts::stop_approaches(World& world, double h) {
   if (worst > 2.0 * options.tolerance) {
     if (!prepared_) prepare(world);
     if (worst > 2.0 * (has_large_island() ? options.large_tolerance : options.tolerance)) {
-      report_residual(world, solve(world, before_, options), pressing_.change_by_forces());
+      const auto solve_from = [&](const Eigen::Matrix3Xd& from) { return solve(world, from, options); };
+      report_residual(world,
+                      joints_hold(world, c)
+                          ? stop_with_joints(world, c, before_, options.tolerance, solve_from, free_, after_)
+                          : solve_from(before_),
+                      pressing_.change_by_forces());
       moved_ = 0.5 * (before_ + after_);
       record_stops(world, c, moved_);
       for (BodyIndex i{0}; i < world.bodies(); ++i) {
@@ -114,7 +172,11 @@ void RestingContacts::push_as_before(World& world) {
   }
   std::sort(pushed.begin(), pushed.end());
   pushed.erase(std::unique(pushed.begin(), pushed.end()), pushed.end());
-  for (const BodyIndex i : pushed) world.trajectories.set_contact_acceleration(i, flight_.by.col(i));
+  for (const BodyIndex i : pushed) {
+    // What nothing pressed before may be held by its contacts now.
+    flight_.press[i] = std::max(flight_.press[i], kHeld * pressing_.acceleration(i));
+    world.trajectories.set_contact_acceleration(i, flight_.by.col(i));
+  }
 }
 
 // The flight of bodies under the contact forces that are on the trajectories.

@@ -5,6 +5,7 @@
 
 #include "physics/collision/time_of_impact.h"
 #include "physics/step/apply_impact.h"
+#include "physics/step/coming_to_rest.h"
 #include "physics/step/pair_motion.h"
 #include "physics/step/resting_contacts.h"
 
@@ -53,7 +54,7 @@ void RestingContacts::land(World& world, const LandingTime& landing) const {
     const Contact contact = m.contact(k);
     const SurfaceLaw& material = world.material(contact, a, b);
     const double closing = -world.parting_speed(a, b, contact);
-    if (material.restitution * closing >
+    if (impact_speed(material, closing) >
         rest_speed(world, a, b, contact.point, contact.normal, material.restitution))
       apply_impact(world, a, b, contact, material, landing.time);
     return;
@@ -77,7 +78,7 @@ void RestingContacts::strike(World& world, double h) {
       const Approach at = world.approach(a, b, 0.0, {part_a, part_b});
       const SurfaceLaw& material = world.material(at.contact, a, b);
       const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
-      if (!(-material.restitution * at.speed > rest) || -at.speed * h < at.contact.gap) return;
+      if (!(impact_speed(material, -at.speed) > rest) || -at.speed * h < at.contact.gap) return;
       if (several && on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
         return;
       visit(at.contact, -at.speed, material);
@@ -144,21 +145,22 @@ void RestingContacts::rebound_at_end(World& world, const std::vector<BodyPair>& 
     for (int k = 0; k < most && effect != ImpactEffect::kJoined; ++k) {
       const Approach at = world.approach(a, b, 0.0, parts);
       if (at.contact.gap >= 0.0) break;
-      const double restitution = world.material(at.contact, a, b).restitution;
-      if (restitution == 0.0) break;
+      const SurfaceLaw& material = world.material(at.contact, a, b);
+      if (material.restitution == 0.0 && !material.sticks) break;
       if (may_be_continued(world, a, b) &&
           on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
         break;
-      const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, restitution);
-      if (!(-restitution * at.speed > rest)) break;
-      effect = apply_impact(world, a, b, at.contact, world.material(at.contact, a, b), now);
+      const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
+      if (!(impact_speed(material, -at.speed) > rest)) break;
+      effect = apply_impact(world, a, b, at.contact, material, now);
     }
     return effect;
   };
   for (const auto& [a, b] : pairs) {
     if (!world.can_collide(a, b)) continue;  // one body by now
     const bool one_surface = !world.shapes().has_parts(a) && !world.shapes().has_parts(b);
-    if (one_surface && world.material({}, a, b).restitution == 0.0) continue;
+    const auto rebounds = [](const SurfaceLaw& law) { return law.restitution > 0.0 || law.sticks; };
+    if (one_surface && !rebounds(world.material({}, a, b))) continue;
     ImpactEffect effect = ImpactEffect::kNone;
     world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
       if (effect != ImpactEffect::kJoined) effect = rebound(a, b, ShapePair{part_a, part_b});

@@ -7,6 +7,10 @@
 namespace carom {
 namespace {
 
+// Beyond these there are no whole powers of ten, or no margin.
+constexpr double kLeast = 1e-300;
+constexpr double kMost = 1e300;
+
 QString superscript(int number) {
   static const QString kDigits = QString::fromUtf8("⁰¹²³⁴⁵⁶⁷⁸⁹");
   QString out;
@@ -17,7 +21,7 @@ QString superscript(int number) {
 }  // namespace
 
 void LogRange::take(double value) {
-  if (!(value > 0.0) || !std::isfinite(value)) return;
+  if (!(value >= kLeast && value <= kMost)) return;
   low = std::min(low, value);
   high = std::max(high, value);
 }

@@ -8,7 +8,7 @@
 
 namespace carom {
 
-// The least and the largest of positive numbers; others are ignored.
+// The least and the largest of positive numbers from 1e-300 to 1e300; others are ignored.
 struct LogRange {
   double low = std::numeric_limits<double>::infinity();
   double high = 0.0;

@@ -421,6 +421,23 @@ TEST(JointConstraints, StartWithinRounding) {
   EXPECT_EQ(run.ledger().numerical_drift(run.totals().energy()), 0.0);
 }
 
+// Where all coordinates are zero, the size of the body tells what is rounding.
+TEST(JointConstraints, AWheelPinnedAtTheOriginIsNotMissed) {
+  for (const double radius : {0.3, 0.0}) {
+    for (const Vec2& gravity : {Vec2(0.0, 0.0), Vec2(0.0, -9.81)}) {
+      RunSetup s = test::setup_with({test::disc("wheel", {0.0, 0.0}, {0.0, 0.0}, radius)});
+      s.scene.bodies[0].spin = radius > 0.0 ? 2.0 : 0.0;
+      s.scene.joints = {pin("wheel", {0.0, 0.0}, {0.0, 0.0})};
+      s.scene.forces.gravity = gravity;
+      s.method.step = 0.01;
+      Simulation run(s);
+      run.advance_to(1.0);
+      EXPECT_EQ(run.status(), "ok") << radius;
+      EXPECT_EQ(run.state().position(0).norm(), 0.0);
+    }
+  }
+}
+
 // A step that no motion near the joints resolves is told.
 TEST(JointConstraints, MissedJointsAreReported) {
   RunSetup s = double_pendulum();

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -288,6 +289,44 @@ TEST(AngularMomentum, OfEveryPresetInExactFlight) {
     run.advance_to(run.time() + std::min(preset.duration, 100 * preset.method.step));
     if (run.ledger().penetration_correction != 0.0) continue;
     EXPECT_LT(std::abs(drift(run)), 1e-10 * (turnover(run) + 1.0)) << file;
+  }
+}
+
+// Two boxes, one on the other, slide down a ramp as one with g (sin a - mu cos a). Friction between them turns
+// the upper one by mu N h/2, which its corners' normal forces hold: N/2 (1 ± mu h/w). A force on a corner that
+// stays behind where the bodies were is off by v dt/w.
+TEST(AngularMomentum, OfAStackThatSlides) {
+  constexpr double kWidth = 0.2;
+  constexpr double kHeight = 0.1;
+  for (const IntegratorId integrator : {IntegratorId::kRk4, IntegratorId::kVelocityVerlet}) {
+    for (const double angle : {0.0, -0.35}) {
+      const auto turned = [angle](const Vec2& v) { return turned_by(angle, v); };
+      const double friction = angle == 0.0 ? 0.0 : 0.2;
+      const Vec2 along = turned({1.0, 0.0});
+      std::vector<Body> bodies = {wall("floor", turned({0.0, -0.5}), 60.0, 1.0, angle),
+                                  box("lower", turned({0.0, 0.05}), 0.4, 0.1, along),
+                                  box("upper", turned({0.0, 0.15}), kWidth, kHeight, along)};
+      for (std::size_t i = 1; i < bodies.size(); ++i) bodies[i].angle = angle;
+      bodies[1].mass = 2.0;
+      RunSetup setup = setup_with(bodies, 0.0, friction);
+      setup.scene.forces.gravity = {0.0, -kGravity};
+      setup.method = method_of(integrator, 0.005, ImpactsId::kLocated, ContactsId::kLasting);
+      Simulation run(setup);
+      for (int step = 1; step <= 100; ++step) {
+        run.advance_to(0.005 * step);
+        ASSERT_LT(std::abs(drift(run)), 1e-13 * turnover(run)) << step << " angle " << angle;
+        const double weight = kGravity * std::cos(angle);
+        std::vector<double> on_upper;
+        for (const ContactForce& f : run.contact_forces()) {
+          if (f.a == 1 && f.b == 2) on_upper.push_back(f.normal_force);
+        }
+        ASSERT_EQ(on_upper.size(), 2U);
+        std::sort(on_upper.begin(), on_upper.end());
+        const double shift = friction * kHeight / kWidth;
+        EXPECT_NEAR(on_upper[0], 0.5 * weight * (1.0 - shift), 1e-8) << step << " angle " << angle;
+        EXPECT_NEAR(on_upper[1], 0.5 * weight * (1.0 + shift), 1e-8) << step << " angle " << angle;
+      }
+    }
   }
 }
 

@@ -111,24 +111,49 @@ TEST(FlatLandings, SquaresThatMeetTipToTipReboundAnywhere) {
 
 // Mirror images that meet tip to tip at any angle stay mirror images: each tip is pushed straight back.
 TEST(FlatLandings, TiltedSquaresThatMeetTipToTipStayMirrorImages) {
-  for (const double tilt : {0.05, 0.143, 0.3, 0.39, 0.45, 0.7}) {
-    for (const double sign : {1.0, -1.0}) {
+  for (const auto& impacts : kImpacts) {
+    for (const double tilt : {0.05, -0.05, 0.143, -0.143, 0.3, -0.3, 0.39, -0.39, 0.45, -0.45, 0.7, -0.7}) {
       for (const Vec2& shift : {Vec2(0.0, 0.0), Vec2(1.0, 0.0), Vec2(-13.0, 8.0)}) {
         RunSetup s = test::setup_with({box("a", shift + Vec2(-0.5, 0.0), {1.0, 0.0}, 0.2, 0.2),
                                        box("b", shift + Vec2(0.5, 0.0), {-1.0, 0.0}, 0.2, 0.2)});
-        s.scene.bodies[0].angle = sign * tilt;
-        s.scene.bodies[1].angle = -sign * tilt;
-        s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, 0.005};
+        s.scene.bodies[0].angle = tilt;
+        s.scene.bodies[1].angle = -tilt;
+        s.method = {IntegratorId::kRk4, impacts.id, ContactsId::kLasting, 0.005};
         Simulation run(s);
         while (run.impact_count() == 0 && run.time() < 1.0) run.step();
         // The tip is off the line of centres by this.
-        const double off = std::sqrt(0.02) * std::sin(0.25 * std::numbers::pi - tilt);
+        const double off = std::sqrt(0.02) * std::sin(0.25 * std::numbers::pi - std::abs(tilt));
         const double inertia = 0.04 / 6.0;
         const double impulse = 2.0 / (1.0 + off * off / inertia);
         EXPECT_NEAR(run.state().velocity(0).x(), 1.0 - impulse, 1e-9) << tilt << ", " << shift.transpose();
         EXPECT_NEAR(run.state().velocity(0).y(), 0.0, 1e-9);
         EXPECT_NEAR(std::abs(run.state().v(2, 0)), impulse * off / inertia, 1e-9);
         EXPECT_NEAR(run.state().v(2, 0), -run.state().v(2, 1), 1e-9);
+      }
+    }
+  }
+}
+
+// At the step's end corners have gone into each other by up to a step's way: still along their middle.
+TEST(FlatLandings, SquaresThatMeetTipToTipReboundAtTheStepsEnd) {
+  for (const double mass : {1.0, 2.0, 0.1}) {
+    for (const double turned : {0.0, 0.4, 2.1}) {
+      for (const double step : {1.0 / 60.0, 0.005, 0.001}) {
+        RunSetup s = test::setup_with(
+            {box("a", {-0.5, 0.0}, {1.0, 0.0}, 0.2, 0.2), box("b", {0.0, 0.0}, {0.0, 0.0}, 0.2, 0.2)});
+        for (Body& b : s.scene.bodies) {
+          b.position = turned_by(turned, b.position) + Vec2(3.0, -1.0);
+          b.velocity = turned_by(turned, b.velocity);
+          b.angle = turned + 0.25 * std::numbers::pi;
+        }
+        s.scene.bodies[1].mass = mass;
+        s.method = {IntegratorId::kRk4, ImpactsId::kStepEnd, ContactsId::kLasting, step};
+        Simulation run(s);
+        run.advance_to(0.4);
+        const Vec2 after = turned_by(turned, Vec2((1.0 - mass) / (1.0 + mass), 0.0));
+        EXPECT_NEAR((run.state().velocity(0) - after).norm(), 0.0, 1e-9) << mass << ", h = " << step;
+        EXPECT_NEAR(run.state().v(2, 0), 0.0, 1e-9) << mass << ", h = " << step;
+        EXPECT_NEAR(run.state().v(2, 1), 0.0, 1e-9) << mass << ", h = " << step;
       }
     }
   }

@@ -175,5 +175,30 @@ TEST(LostRun, EnergyThatTheSceneHasIsNotTheMethods) {
   }
 }
 
+// What friction almost balances: in the first steps from rest the Euler methods' error is larger than the
+// energy that a body has got, at any step.
+TEST(LostRun, FirstStepsFromRestUnderFrictionAreNoTrouble) {
+  for (const IntegratorId id : {IntegratorId::kExplicitEuler, IntegratorId::kSemiImplicitEuler}) {
+    for (const double slope : {0.0, 0.3, 0.5}) {
+      for (const double step : {1.0 / 60.0, 1.0 / 240.0, 0.001}) {
+        RunSetup s = test::setup_with(
+            {test::wall("floor", {0.0, -0.5}, 100.0, 1.0), test::disc("box", {0.0, 0.05}, {0.0, 0.0})}, 0.0,
+            0.3);
+        s.scene.bodies[1].shape = Box{0.3, 0.1};
+        s.scene.forces.gravity = {9.81 * std::sin(slope), -9.81 * std::cos(slope)};
+        AppliedForce pull;
+        pull.body = "box";
+        pull.force = {8.0, 0.0};
+        if (slope == 0.0) s.scene.forces.applied = {pull};
+        s.method = {id, ImpactsId::kLocated, ContactsId::kLasting, step};
+        Simulation run(s);
+        run.advance_to(1.0);
+        EXPECT_EQ(run.status(), "ok") << choice_of(kIntegrators, id).name << ", slope " << slope << ", h "
+                                      << step;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom

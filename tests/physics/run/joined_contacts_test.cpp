@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "physics/run/simulation.h"
+#include "tests/support/scenes.h"
+
+// Bodies in contact that are joined, or become so: strings that go taut, bodies that stick, linked bodies that
+// land. Contact forces follow from that moment on, not from the next step on.
+namespace carom {
+namespace {
+
+constexpr double kGravity = 9.81;  // m/s²
+constexpr double kSteps[] = {1.0 / 60.0, 0.007, 1.0 / 240.0, 0.001};
+
+Body box(const std::string& name, const Vec2& position, const Vec2& velocity, double width, double height,
+         double mass = 1.0) {
+  Body b = test::disc(name, position, velocity, 0.1, mass);
+  b.shape = Box{width, height};
+  return b;
+}
+
+Body floor_at_zero() {
+  Body b;
+  b.name = "floor";
+  b.shape = Wall{};
+  b.fixed = true;
+  return b;
+}
+
+RunSetup setup(const std::vector<Body>& bodies, double friction, double step) {
+  RunSetup s = test::setup_with(bodies, 0.0, friction);
+  s.scene.bodies.insert(s.scene.bodies.begin(), floor_at_zero());
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+  return s;
+}
+
+Joint joint(JointKind kind, const std::string& body, const std::string& to) {
+  Joint j;
+  j.kind = kind;
+  j.body = body;
+  j.to = to;
+  return j;
+}
+
+// Surfaces that stick, but not to the floor.
+void add_clay(RunSetup& s, const std::vector<std::string>& bodies) {
+  Material clay = s.scene.materials.front();
+  const std::string other = clay.name;
+  clay.name = "clay";
+  clay.sticks = true;
+  s.scene.materials.push_back(clay);
+  MaterialPair with_floor;
+  with_floor.a = other;
+  with_floor.b = "clay";
+  with_floor.surface = s.scene.materials.front();
+  s.scene.pairs.push_back(with_floor);
+  for (Body& b : s.scene.bodies) {
+    if (std::find(bodies.begin(), bodies.end(), b.name) != bodies.end()) b.material = "clay";
+  }
+}
+
+double drift(const Simulation& run) { return run.ledger().numerical_drift(run.totals().energy()); }
+
+// A box slides until a slack string jerks its equal from rest: both go on with half the speed.
+TEST(JoinedContacts, AStringThatGoesTautJerksABoxOnTheFloor) {
+  constexpr double kFriction = 0.3;
+  constexpr double kSlack = 0.313;  // m
+  const double slows = kFriction * kGravity;
+  const double jerked_at = std::sqrt(4.0 - 2.0 * slows * kSlack);  // m/s
+  for (const IntegratorId integrator : {IntegratorId::kRk4, IntegratorId::kVelocityVerlet}) {
+    for (const double step : kSteps) {
+      RunSetup s = setup(
+          {box("first", {0.0, 0.1}, {2.0, 0.0}, 0.2, 0.2), box("second", {-0.5, 0.1}, {0.0, 0.0}, 0.2, 0.2)},
+          kFriction, step);
+      s.scene.joints = {joint(JointKind::kString, "first", "second")};
+      s.scene.joints[0].length = 0.5 + kSlack;
+      s.method.integrator = integrator;
+      Simulation run(s);
+      run.advance_to(1.0);
+      const double slid = 0.25 * jerked_at * jerked_at / (2.0 * slows);
+      EXPECT_NEAR(run.state().position(2).x(), -0.5 + slid, 1e-9) << step;
+      EXPECT_NEAR(run.state().position(1).x(), slid + kSlack, 1e-9) << step;
+      EXPECT_NEAR(drift(run), 0.0, 1e-9) << step;
+    }
+  }
+}
+
+// A hook that rises at a constant speed hoists a box: the work that it does is that of the jerk and of the
+// lift.
+TEST(JoinedContacts, AStringHoistsABoxOffTheFloor) {
+  constexpr double kSpeed = 0.5;                      // m/s
+  constexpr double kTautAt = (0.513 - 0.4) / kSpeed;  // s
+  for (const double step : kSteps) {
+    RunSetup s = setup(
+        {box("box", {0.0, 0.1}, {0.0, 0.0}, 0.2, 0.2, 2.0), test::disc("hook", {0.0, 0.5}, {0.0, 0.0}, 0.02)},
+        0.3, step);
+    s.scene.bodies[2].drive = Drive{.velocity = {0.0, kSpeed}};
+    s.scene.joints = {joint(JointKind::kString, "box", "hook")};
+    s.scene.joints[0].length = 0.513;
+    Simulation run(s);
+    run.advance_to(0.8);
+    const double work = 2.0 * (kSpeed * kSpeed + kGravity * kSpeed * (0.8 - kTautAt));
+    EXPECT_NEAR(run.ledger().put_in_by_drives, work, 1e-9) << step;
+    EXPECT_NEAR(drift(run), 0.0, 1e-9) << step;
+  }
+}
+
+// The ballistic block on a rough floor: both stop after V²/(2 mu g).
+TEST(JoinedContacts, ABulletThatSticksInABlockIsSlowedWithItFromTheHitOn) {
+  constexpr double kFriction = 0.3;
+  const double speed = 0.1 * 30.0 / 1.1;
+  for (const double step : kSteps) {
+    RunSetup s = setup({box("block", {0.0, 0.1}, {0.0, 0.0}, 0.2, 0.2),
+                        test::disc("bullet", {-0.72, 0.098038}, {30.0, 0.1962}, 0.02, 0.1)},
+                       kFriction, step);
+    add_clay(s, {"block", "bullet"});
+    Simulation run(s);
+    run.advance_to(1.5);
+    EXPECT_NEAR(run.state().position(1).x(), speed * speed / (2.0 * kFriction * kGravity), 1e-9) << step;
+    EXPECT_NEAR(run.ledger().lost_to_friction, 0.5 * 1.1 * speed * speed, 1e-9) << step;
+    EXPECT_NEAR(drift(run), 0.0, 1e-9) << step;
+  }
+}
+
+// With impacts at the step's end bodies that stick are joined, too, and stay so when one of them is pulled.
+TEST(JoinedContacts, BodiesStickAtTheStepsEnd) {
+  for (const bool rests : {true, false}) {
+    for (const double step : kSteps) {
+      RunSetup s = setup(
+          {box("first", {-0.513, 0.1}, {3.0, 0.0}, 0.2, 0.2), box("second", {0.0, 0.1}, {0.0, 0.0}, 0.2, 0.2)},
+          0.0, step);
+      add_clay(s, {"first", "second"});
+      s.method.impacts = ImpactsId::kStepEnd;
+      if (!rests) s.scene.forces.gravity.setZero();
+      AppliedForce pull;
+      pull.body = "second";
+      pull.force = {20.0, 0.0};
+      pull.start = 0.4;
+      s.scene.forces.applied = {pull};
+      Simulation run(s);
+      run.advance_to(1.0);
+      EXPECT_EQ(run.impact_count(), 1) << step;
+      EXPECT_NEAR(run.ledger().lost_to_sticking, 0.25 * 9.0, 1e-12) << step;
+      EXPECT_NEAR(run.state().velocity(1).x(), 1.5 + 0.6 * 10.0, 1e-9) << step;
+      EXPECT_NEAR((run.state().velocity(2) - run.state().velocity(1)).norm(), 0.0, 1e-9) << step;
+    }
+  }
+}
+
+// Two welded boxes fall on a smooth disc that rests on the floor, off their centre of mass: what is lost is
+// that of one body on a disc that can't give way.
+TEST(JoinedContacts, WeldedBoxesLandOnADiscAsOneBody) {
+  constexpr double kInertia = 2.0 * (0.05 / 12.0 + 0.01);  // kg m²
+  constexpr double kArm = 0.12;                            // m
+  const double lost = kGravity * 0.2 / (0.5 + kArm * kArm / kInertia);
+  RunSetup s =
+      setup({test::disc("disc", {0.0, 0.1}, {0.0, 0.0}, 0.1, 0.7),
+             box("left", {0.02, 0.45}, {0.0, 0.0}, 0.2, 0.1), box("right", {0.22, 0.45}, {0.0, 0.0}, 0.2, 0.1)},
+            0.0, 0.001);
+  Joint weld = joint(JointKind::kWeld, "right", "left");
+  weld.point = {-0.1, 0.0};
+  weld.anchor = {0.1, 0.0};
+  s.scene.joints = {weld};
+  Simulation run(s);
+  run.advance_to(0.25);
+  EXPECT_NEAR(run.ledger().lost_to_restitution, lost, 1e-9);
+  EXPECT_NEAR(drift(run), 0.0, 1e-8);
+}
+
+// On a rod, and so with one way to go, a bob stops where it lands on a block on the floor.
+TEST(JoinedContacts, ABobThatLandsOnABlockStays) {
+  for (const double step : kSteps) {
+    RunSetup s = setup(
+        {box("block", {0.0, 0.1}, {0.0, 0.0}, 0.4, 0.2, 2.0), test::disc("bob", {0.0, 0.5}, {0.0, 0.0}, 0.1)},
+        0.0, step);
+    s.scene.joints = {joint(JointKind::kRod, "bob", "")};
+    s.scene.joints[0].anchor = {-1.0, 0.5};
+    Simulation run(s);
+    run.advance_to(0.4);
+    EXPECT_EQ(run.status(), "ok") << step;
+    EXPECT_NEAR(run.ledger().lost_to_restitution, kGravity * 0.2, 1e-6) << step;
+    EXPECT_NEAR(run.state().velocity(2).norm(), 0.0, 1e-9) << step;
+    EXPECT_NEAR(run.state().v(2, 2), 0.0, 1e-9) << step;
+  }
+}
+
+}  // namespace
+}  // namespace carom
