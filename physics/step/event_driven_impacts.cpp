@@ -32,6 +32,9 @@ constexpr int kImpactsBeforeGuardPerBody = 4;
 // Parts into which new supports divide a step; a body that comes to rest in the last part is supported from
 // the next step on.
 constexpr int kMostParts = 8;
+// Of a step: a shorter rest is no part of its own. Contacts would close or open gaps of rounding within it, at
+// any speed.
+constexpr double kLeastPart = 1e-6;
 // In a scene with few contacts only rebounds rest that are slower than this share of the speed by which forces
 // press the pair together within a step. With e = 1/2 the bounces left out would last half a step at most.
 constexpr double kLastShare = 0.125;
@@ -57,6 +60,11 @@ double last_rebound(const World& world, const RestingContacts& resting, BodyInde
   const bool follows = few && world.method.integrator != IntegratorId::kExplicitEuler;
   return (follows ? kLastShare : 1.0) *
          resting.rest_speed(world, a, b, contact.point, contact.normal, restitution);
+}
+
+// Whether the step is divided at a time if supports change then.
+bool divides(const auto& step, double time) {
+  return step.resting != nullptr && step.may_divide && step.h - time > kLeastPart * step.world.method.step;
 }
 
 }  // namespace
@@ -165,17 +173,18 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
   RestingContacts& resting = *step.resting;
   for (int part = 1;; ++part) {
     const double left = step.h;
+    const double least = kLeastPart * world.method.step;
     const double supported = resting.supported();
     step.may_divide = part < kMostParts;
     std::optional<LandingTime> landing;
     if (step.may_divide) landing = resting.first_landing(world, supported);
-    if (landing && !(landing->time < supported)) landing.reset();
+    if (landing && !(landing->time < supported && left - landing->time > least)) landing.reset();
     const std::optional<double> stops =
         process_until(step, landing ? landing->time : supported, landing ? &landing->landing : nullptr);
     if (stops) landing.reset();
     const double passed = stops ? *stops : landing ? landing->time : supported;
     resting.record_forces(world, passed, passed / supported);
-    if (!(passed < left)) return left;
+    if (!(left - passed > least)) return left;
     for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, passed);
     if (landing) resting.land(world, *landing);
     world.publish(passed);
@@ -313,8 +322,7 @@ bool EventDrivenImpacts::comes_to_rest(const Step& step, BodyIndex a, BodyIndex 
 
 // The contact forces on what is hit were found for its motion before: they hold until now.
 void EventDrivenImpacts::note_disturbed(const Step& step, BodyIndex a, BodyIndex b, double time) {
-  if (step.resting != nullptr && step.may_divide && time < step.h && step.resting->is_disturbed(a, b))
-    disturbed_ = time;
+  if (divides(step, time) && step.resting->is_disturbed(a, b)) disturbed_ = time;
 }
 
 void EventDrivenImpacts::count_at_once(World& world, BodyIndex a, BodyIndex b, double time) {
@@ -341,7 +349,7 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, BodyIndex a, BodyInd
     const double left = exact ? 2.0 * rebound / (press * (1.0 - material.restitution)) : 0.0;
     if (step.resting == nullptr) world.note(&Notices::resting_since, now + left, {a, b});
     end_of_step_.add(a, b, true);
-    return step.resting != nullptr && step.may_divide && time < step.h;
+    return divides(step, time);
   }
   if (guarded && rebound < pressed_in(world, a, b, step.h)) {
     if (step.resting == nullptr) world.note(&Notices::resting_since, now, {a, b});
