@@ -199,11 +199,20 @@ RunGroup::RunsBegun RunGroup::runs_begun() const {
   return all;
 }
 
+RunGroup::OtherSide RunGroup::other_side() {
+  OtherSide side{start_, fingerprint(preset_.scene, 0.0), {}};
+  for (const Run& run : runs_) {
+    const RunSetup& setup = run.live.setup();
+    side.runs.push_back({setup.method, run.id, edit_lists_[run.id].list_of(setup.edits)});
+  }
+  return side;
+}
+
 // Unchanged runs continue as they are.
 void RunGroup::undo_or_redo(EditId edit, const Preset& start, ReferenceId reference) {
-  const auto other_side = other_sides_.find(edit);
-  if (other_side == other_sides_.end()) return;
-  const RunsBegun wanted = std::exchange(other_side->second, runs_begun());
+  const auto found = other_sides_.find(edit);
+  if (found == other_sides_.end()) return;
+  const OtherSide wanted = std::exchange(found->second, other_side());
   const bool other_reference = std::exchange(reference_, reference) != reference;
   const std::uint64_t scene = fingerprint(preset_.scene, 0.0);
   const bool begun_since = wanted.start != start_ || wanted.scene != scene;
@@ -213,8 +222,12 @@ void RunGroup::undo_or_redo(EditId edit, const Preset& start, ReferenceId refere
   const double time = displayed_time();
   std::vector<Run> old = std::exchange(runs_, {});
   if (other_start) old.clear();
-  for (MethodAndEdits& each : begun_since ? runs_of(start) : std::vector<MethodAndEdits>(wanted.runs))
-    take_run(std::move(each), old);
+  if (begun_since) {
+    for (MethodAndEdits& each : runs_of(start)) take_run(std::move(each), old);
+  } else {
+    for (const OtherSide::Begun& each : wanted.runs)
+      take_run({each.method, edit_lists_[each.run].edits_of(each.edits)}, old);
+  }
   watch_first();
   replay_to(time);
   if (other_reference) record_all();

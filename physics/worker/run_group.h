@@ -11,6 +11,7 @@
 
 #include "physics/preset/preset.h"
 #include "physics/record/frame.h"
+#include "physics/worker/edit_lists.h"
 #include "physics/worker/live_run.h"
 #include "physics/worker/past_runs.h"
 
@@ -36,6 +37,7 @@ class RunGroup {
   // Edits so far can't be undone any more.
   void forget_edits() {
     other_sides_.clear();
+    edit_lists_.clear();
     kept_.clear();
   }
   // All runs at t = 0.
@@ -82,7 +84,7 @@ class RunGroup {
   void watch_stops(const std::vector<Stop>& stops);
 
   // Call before an edit that can be undone.
-  void remember(EditId edit) { other_sides_[edit] = runs_begun(); }
+  void remember(EditId edit) { other_sides_[edit] = other_side(); }
   // Takes the last remembered edit back, or makes the one again that was taken back last. `start`: what the
   // runs start from if they were begun again since the edit was made.
   void undo_or_redo(EditId edit, const Preset& start, ReferenceId reference);
@@ -143,6 +145,17 @@ class RunGroup {
     std::uint64_t scene = 0;  // fingerprint of the one that they began from
     std::vector<MethodAndEdits> runs;
   };
+  // The same, with lists of edit_lists_.
+  struct OtherSide {
+    std::uint64_t start = 0;
+    std::uint64_t scene = 0;
+    struct Begun {
+      Method method;
+      std::uint64_t run;
+      EditLists::List edits;
+    };
+    std::vector<Begun> runs;
+  };
   // What an edit left.
   struct Kept {
     Preset preset;
@@ -161,6 +174,7 @@ class RunGroup {
   [[nodiscard]] static std::vector<MethodAndEdits> runs_of(const Preset& preset);
   [[nodiscard]] static MethodAndEdits method_and_edits(const Run& run);
   [[nodiscard]] RunsBegun runs_begun() const;
+  [[nodiscard]] OtherSide other_side();
   void record_all();
   void watch_first();
   void replay_to(double time);  // if the runs are not there yet
@@ -180,7 +194,8 @@ class RunGroup {
   StopRecord::Stops stops_;  // of the preset
   std::vector<Run> runs_;
   PastRuns past_;
-  std::map<EditId, RunsBegun> other_sides_;  // of edits: the runs before it, or after it if it is undone
+  std::map<EditId, OtherSide> other_sides_;        // of edits: the runs before it, or after it if it is undone
+  std::map<std::uint64_t, EditLists> edit_lists_;  // by run
   std::map<EditId, Kept> kept_;
   std::optional<double> replay_until_;
   std::uint64_t starts_ = 0;
