@@ -32,8 +32,8 @@ constexpr int kImpactsBeforeGuardPerBody = 4;
 // Parts into which new supports divide a step; a body that comes to rest in the last part is supported from
 // the next step on.
 constexpr int kMostParts = 8;
-// Of a step: a shorter rest is no part of its own. Contacts would close or open gaps of rounding within it, at
-// any speed.
+// Of a step: impacts leave no shorter rest as a part of its own. Contacts would close or open gaps of rounding
+// within it, at any speed.
 constexpr double kLeastPart = 1e-6;
 // In a scene with few contacts only rebounds rest that are slower than this share of the speed by which forces
 // press the pair together within a step. With e = 1/2 the bounces left out would last half a step at most.
@@ -62,7 +62,7 @@ double last_rebound(const World& world, const RestingContacts& resting, BodyInde
          resting.rest_speed(world, a, b, contact.point, contact.normal, restitution);
 }
 
-// Whether the step is divided at a time if supports change then.
+// Whether the step is divided at a time if impacts change supports then.
 bool divides(const auto& step, double time) {
   return step.resting != nullptr && step.may_divide && step.h - time > kLeastPart * step.world.method.step;
 }
@@ -173,18 +173,17 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
   RestingContacts& resting = *step.resting;
   for (int part = 1;; ++part) {
     const double left = step.h;
-    const double least = kLeastPart * world.method.step;
     const double supported = resting.supported();
     step.may_divide = part < kMostParts;
     std::optional<LandingTime> landing;
     if (step.may_divide) landing = resting.first_landing(world, supported);
-    if (landing && !(landing->time < supported && left - landing->time > least)) landing.reset();
+    if (landing && !(landing->time < supported && divides(step, landing->time))) landing.reset();
     const std::optional<double> stops =
         process_until(step, landing ? landing->time : supported, landing ? &landing->landing : nullptr);
     if (stops) landing.reset();
     const double passed = stops ? *stops : landing ? landing->time : supported;
     resting.record_forces(world, passed, passed / supported);
-    if (!(left - passed > least)) return left;
+    if (!(passed < left)) return left;
     for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, passed);
     if (landing) resting.land(world, *landing);
     world.publish(passed);
