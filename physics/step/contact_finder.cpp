@@ -196,8 +196,14 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     // A fast one that penetrates is projected out and left to the impacts at the step's end.
     const bool hits = !slow && !located;
     const double along_normal = at.gap - closing * step.h;
-    found.turned_away.push_back(open && along_normal < 0.0 ? turned_away(step, a, b, m, along_normal, rounding)
-                                                           : 0.0);
+    double away = 0.0;
+    if (open && along_normal < 0.0) {
+      // Contact forces may hold what is slow against all other forces.
+      away = hits ? gap_in_flight(step.world, a, b, m.parts, step.h) - along_normal
+                  : turned_away(step, a, b, m, along_normal, rounding);
+      if (!(away > rounding)) away = 0.0;
+    }
+    found.turned_away.push_back(away);
     c.target[i] = slow || hits ? -found.room(i) / step.h : -std::numeric_limits<double>::infinity();
     if (hits && (found.hits.empty() || found.hits.back() != std::pair(a, b))) found.hits.emplace_back(a, b);
     c.slip_target[i] = 0.0;

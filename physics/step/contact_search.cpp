@@ -152,7 +152,7 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
   Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
   const double begin = std::max({trajectories.start(a), trajectories.start(b), rules.from});
-  const double end = std::min(trajectories.end(a), trajectories.end(b));
+  const double end = std::min({trajectories.end(a), trajectories.end(b), rules.until});
   if (!(begin <= end)) return {};
   const bool parabolic =
       trajectories.is_parabolic() && !world.model->is_kinematic(a) && !world.model->is_kinematic(b);

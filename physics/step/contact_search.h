@@ -24,6 +24,7 @@ struct SearchRules {
   const RestingContacts* resting;  // null without resting contacts
   double closing_share;            // of the bodies' speeds: a smaller closing speed counts as zero
   double from;                     // s after the epoch: earlier contacts don't count
+  double until;                    // s after the epoch: nor do later ones
   [[nodiscard]] bool rests(BodyIndex a, BodyIndex b) const {
     return (resting != nullptr && resting->finder().supports(a, b)) || end_of_step.rests(a, b);
   }

@@ -11,14 +11,15 @@
 namespace carom {
 namespace {
 
-// m: where a body is while a force of the length `passed` (s) acts on it, such that the force's moment is what
-// it changes of the body's angular momentum about the origin.
-Vec2 mean_place(World& world, double passed, BodyIndex body) {
+// m: where a body is while contact forces act on it for `passed` s, such that their moment is what they change
+// of its angular momentum about the origin. Where they lead to themselves is left out, as in arm_start().
+Vec2 mean_place(World& world, double passed, const GuessedFlight& flight, BodyIndex body) {
   const Vec2 from = world.state.position(body);
   const Vec2 straight = passed * world.state.v.col(body).head<2>();
   if (!choice_of(kIntegrators, world.method.integrator).exact_under_gravity)
     return from + arms_of(world.method.integrator).along * straight;
-  const Vec2 bend = world.trajectories.at(body, passed).head<2>() - from - straight;
+  const Vec2 by_contacts = 0.5 * passed * passed * flight.by.col(body).head<2>();
+  const Vec2 bend = world.trajectories.at(body, passed).head<2>() - from - straight - by_contacts;
   return from + 0.5 * straight + bend / 3.0;
 }
 
@@ -60,7 +61,8 @@ void record_support(World& world, const Contacts& c, const GaussContacts& linear
         mean.col(c.b[i])[2] * off(c.b[i]).dot(c.normal[i]) - mean.col(c.a[i])[2] * off(c.a[i]).dot(c.normal[i]);
     ledger.lost_to_friction += std::max(0.0, -share * c.tangential_impulse[i] * u.tangential);
     ledger.lost_to_rolling += std::max(0.0, -share * c.rolling_impulse[i] * u.spin);
-    record_immovable(world, c, i, share, mean, [&](BodyIndex body) { return mean_place(world, passed, body); });
+    record_immovable(world, c, i, share, mean,
+                     [&](BodyIndex body) { return mean_place(world, passed, flight, body); });
   }
 }
 

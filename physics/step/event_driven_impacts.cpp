@@ -90,6 +90,7 @@ void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) 
   Step step{world, resting, h, run_on ? kNever : h, world.sums.impact_count};
   trajectory_ends_ = 0;
   at_once_work_ = 0;
+  disturbed_.reset();
   if (!run_on || !running_) {
     if (!run_on) trajectories.begin(world.clock.time);
     choose_cells(world, step.horizon);
@@ -193,6 +194,7 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
     choose_cells(world, step.h);
     end_of_step_.clear();
     last_impact_ = -1.0;
+    disturbed_.reset();
     rebuild_all(step);
   }
 }

@@ -125,7 +125,7 @@ void EventDrivenImpacts::search_island(const Step& step, int island) {
 }
 
 // Schedules the next impact of a and b on their trajectories from `from` on (s after the epoch), if there is
-// one.
+// one before the step is divided.
 void EventDrivenImpacts::search(const Step& step, BodyIndex a, BodyIndex b, double from) {
   World& world = step.world;
   if (a > b) std::swap(a, b);
@@ -137,7 +137,7 @@ void EventDrivenImpacts::search(const Step& step, BodyIndex a, BodyIndex b, doub
     return;
   }
   world.shapes().each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
-    const SearchRules rules{end_of_step_, step.resting, closing_share(), from};
+    const SearchRules rules{end_of_step_, step.resting, closing_share(), from, disturbed_.value_or(kNever)};
     const NextContact next = next_contact(world, rules, a, b, {part_a, part_b});
     switch (next.kind) {
       case NextContact::kNone:
@@ -183,7 +183,7 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
   const Twist twist_b{of_b.segment<2>(3), of_b[5]};
   const double tolerance = touch_tolerance(world, a, b);
   const auto [low, high] = std::minmax(a, b);
-  const bool rests = SearchRules{end_of_step_, step.resting, 0.0, 0.0}.rests(low, high);
+  const bool rests = SearchRules{end_of_step_, step.resting, 0.0, 0.0, kNever}.rests(low, high);
   std::optional<ShapePair> meet;
   double fastest = kNever;
   shapes.each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {

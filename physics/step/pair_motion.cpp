@@ -40,6 +40,15 @@ double touch_tolerance(const World& world, BodyIndex a, BodyIndex b, double dura
   return 16.0 * kEpsilon * (reach + speeds * time);
 }
 
+double gap_in_flight(World& world, BodyIndex a, BodyIndex b, const ShapePair& parts, double within) {
+  const auto pose = [&](BodyIndex i) {
+    return world.shapes().pose(i, world.trajectories.at(i, within).head<3>());
+  };
+  Contact contact;
+  contact.parts = parts;
+  return contact_again(world.shapes(), a, pose(a), b, pose(b), contact).gap;
+}
+
 double curvature(const World& world, BodyIndex a, BodyIndex b, double of_centres) {
   double sum = of_centres;
   for (const BodyIndex i : {a, b}) {

@@ -12,6 +12,9 @@ namespace carom {
 // motions alone, not on when the epoch began: a saved run that continues decides as the run that was not
 // interrupted.
 [[nodiscard]] double touch_tolerance(const World& world, BodyIndex a, BodyIndex b, double duration = 0.0);
+// m: how far apart two parts of the pair are, on their trajectories `within` s after the epoch.
+[[nodiscard]] double gap_in_flight(World& world, BodyIndex a, BodyIndex b, const ShapePair& parts,
+                                   double within);
 // m/s²: curvature bound of the relative paths of two bodies' points; `of_centres` is that of their centres.
 [[nodiscard]] double curvature(const World& world, BodyIndex a, BodyIndex b, double of_centres);
 // m/s: largest closing speed that forces alone give a resting pair in a step of h s.

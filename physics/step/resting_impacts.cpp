@@ -79,6 +79,8 @@ void RestingContacts::strike(World& world, double h) {
       const SurfaceLaw& material = world.material(at.contact, a, b);
       const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
       if (!(impact_speed(material, -at.speed) > rest) || -at.speed * h < at.contact.gap) return;
+      // Forces and joints may lead past each other what goes straight on into each other.
+      if (at.contact.gap > 0.0 && gap_in_flight(world, a, b, {part_a, part_b}, h) > 0.0) return;
       if (several && on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
         return;
       visit(at.contact, -at.speed, material);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/ledger/ledger_entries.h"
@@ -289,6 +290,28 @@ TEST(AngularMomentum, OfEveryPresetInExactFlight) {
     run.advance_to(run.time() + std::min(preset.duration, 100 * preset.method.step));
     if (run.ledger().penetration_correction != 0.0) continue;
     EXPECT_LT(std::abs(drift(run)), 1e-10 * (turnover(run) + 1.0)) << file;
+  }
+}
+
+// A block slides down a smooth wedge that the floor carries: both accelerate, and the wedge's contacts push it
+// in different directions.
+TEST(AngularMomentum, OfABlockOnAFreeWedge) {
+  constexpr double kSlope = std::numbers::pi / 6.0;
+  for (const IntegratorChoice& integrator : kIntegrators) {
+    if (integrator.adaptive) continue;
+    for (const double step : {1.0 / 60.0, 0.005}) {
+      Body wedge = disc("wedge", {0.4, 0.4 * std::tan(kSlope)}, {0.0, 0.0}, 0.1, 2.0);
+      wedge.shape = Polygon{
+          {{-0.4, -0.4 * std::tan(kSlope)}, {0.8, -0.4 * std::tan(kSlope)}, {-0.4, 0.8 * std::tan(kSlope)}}};
+      Body block = box("block", turned_by(-kSlope, {0.0, 0.1}) + Vec2(0.3, 0.9 * std::tan(kSlope)), 0.2, 0.2);
+      block.angle = -kSlope;
+      RunSetup setup = setup_with({wall("floor", {0.0, -0.5}, 20.0, 1.0), wedge, block}, 0.0);
+      setup.scene.forces.gravity = {0.0, -kGravity};
+      const Simulation run =
+          run_of(setup, method_of(integrator.id, step, ImpactsId::kLocated, ContactsId::kLasting), 0.3);
+      EXPECT_GT(run.state().velocity(2).x(), 0.5) << integrator.name;
+      EXPECT_NEAR(drift(run), 0.0, 1e-12) << integrator.name << ", h = " << step;
+    }
   }
 }
 

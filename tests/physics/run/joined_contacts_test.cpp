@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <string>
 
 #include "physics/run/simulation.h"
@@ -185,6 +187,40 @@ TEST(JoinedContacts, ABobThatLandsOnABlockStays) {
     EXPECT_NEAR(run.ledger().lost_to_restitution, kGravity * 0.2, 1e-6) << step;
     EXPECT_NEAR(run.state().velocity(2).norm(), 0.0, 1e-9) << step;
     EXPECT_NEAR(run.state().v(2, 2), 0.0, 1e-9) << step;
+  }
+}
+
+// Forces and rods lead bodies past a floor or short of a ceiling that they would meet if they went straight on.
+TEST(JoinedContacts, WhatPassesWithoutTouchingIsNotHit) {
+  for (const ImpactsId impacts : {ImpactsId::kStepEnd, ImpactsId::kLocated}) {
+    for (const double step : kSteps) {
+      RunSetup swings = setup({test::disc("bob", {-1.0, 0.0}, {0.0, 0.0})}, 0.0, step);
+      swings.scene.materials.front().restitution = 1.0;
+      swings.scene.joints = {joint(JointKind::kRod, "bob", "")};
+      swings.scene.bodies[0].position = {0.0, -1.101};
+      RunSetup turns = swings;
+      turns.scene.bodies[1] = box("bar", {0.5, 0.0}, {0.0, 0.0}, 1.0, 0.1);
+      turns.scene.joints = {joint(JointKind::kPin, "bar", "")};
+      turns.scene.joints[0].point = {-0.5, 0.0};
+      turns.scene.bodies[0].position.y() = -std::hypot(1.0, 0.05) - 1e-4;
+      RunSetup rises = swings;
+      rises.scene.joints.clear();
+      rises.scene.bodies[0].angle = std::numbers::pi;
+      rises.scene.bodies[0].position = {0.0, 0.101 + 2.0 * 2.0 / (2.0 * kGravity)};
+      rises.scene.bodies[1] = test::disc("ball", {0.0, 0.0}, {0.3, 2.0});
+      for (RunSetup& s : {std::ref(swings), std::ref(turns), std::ref(rises)}) {
+        s.method.impacts = impacts;
+        RunSetup without = s;
+        without.scene.bodies.erase(without.scene.bodies.begin());
+        Simulation run(s);
+        Simulation alone(without);
+        run.advance_to(0.8);
+        alone.advance_to(0.8);
+        EXPECT_EQ(run.impact_count(), 0) << s.scene.bodies[1].name << ", h = " << step;
+        EXPECT_NEAR((run.state().q.col(1) - alone.state().q.col(0)).norm(), 0.0, 1e-12)
+            << s.scene.bodies[1].name << ", h = " << step;
+      }
+    }
   }
 }
 

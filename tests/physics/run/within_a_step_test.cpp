@@ -250,5 +250,21 @@ TEST(WithinAStep, TwoSquaresLandFlatOnTwoThinWalls) {
   }
 }
 
+// A box that slides against a low kerb tips over its edge: its face leaves the edge so slowly that the search
+// for the next hit would have to look very often, but the step is divided there.
+TEST(WithinAStep, ABoxThatHitsAKerbMissesNoImpacts) {
+  for (const double step : kSteps) {
+    RunSetup s = setup(0.0, 0.5, step);
+    Body block = test::disc("block", {0.0, 0.2}, {3.0, 0.0});
+    block.shape = Box{0.4, 0.4};
+    s.scene.bodies = {fixed("floor", Wall{}, {0.0, 0.0}), fixed("kerb", Box{1.0, 0.05}, {1.0, 0.025}), block};
+    Simulation run(s);
+    run.advance_to(0.4);
+    EXPECT_EQ(run.status(), "ok") << step;
+    EXPECT_EQ(run.impact_count(), 1) << step;
+    EXPECT_NEAR(run.state().q(2, 2), -0.51242, 2e-5) << step;
+  }
+}
+
 }  // namespace
 }  // namespace carom
