@@ -81,7 +81,8 @@ struct SearchLimit {
 //
 // A sampler may also have clear(from, to, width): true if bounds of its own show that there is no contact
 // between two samples; and curvature_along(n), a bound that holds for this direction alone: faces that slide
-// along each other, flush, on curved paths are clear by it.
+// along each other, flush, on curved paths are clear by it; and clear_turning(from, to, width, tolerance),
+// where normals turn.
 //
 // If the limit ends the search, the result is a known contact, if there is one, though perhaps not the first.
 template <class Sampler, class Sample>
@@ -127,6 +128,9 @@ template <class Sampler, class Sample>
     if constexpr (requires { sample.curvature_along(ga.normal); }) {
       if (least(sample.curvature_along(ga.normal), sample.curvature_along(gb.normal)) > -tolerance)
         return std::nullopt;
+    }
+    if constexpr (requires { sample.clear_turning(ga, gb, width, tolerance); }) {
+      if (sample.clear_turning(ga, gb, width, tolerance)) return std::nullopt;
     }
     if (ends_here()) return std::nullopt;
     const double stray = curvature * width * width / 8.0;

@@ -233,21 +233,9 @@ ContactSolverReport solve_islands(const ContactSolverOptions& options, ContactWo
   return report;
 }
 
-bool becomes_large(const LargeIslandChoice& choice, const Contacts& contacts, std::span<const int> island) {
-  const int size = static_cast<int>(island.size());
-  if (size <= choice.most_exact) return false;
-  if (size > choice.most_slow || choice.motion == nullptr) return true;
-  double squares = 0.0;
-  for (const int c : island) {
-    squares += choice.motion->col(contacts.a[c]).head<2>().squaredNorm() +
-               choice.motion->col(contacts.b[c]).head<2>().squaredNorm();
-  }
-  return !(std::sqrt(squares / (2.0 * size)) <= choice.slow_speed);
-}
-
 }  // namespace
 
-void prepare_contacts(const MassProperties& mass, const Contacts& contacts, const LargeIslandChoice& choice,
+void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int most_exact,
                       ContactWorkspace& w) {
   find_islands(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, w.islands);
   clear_blocks(static_cast<int>(mass.inverse_mass.size()), w.large_islands);
@@ -259,7 +247,7 @@ void prepare_contacts(const MassProperties& mass, const Contacts& contacts, cons
   for (int i = 0; i < w.islands.size(); ++i) {
     const std::span<const int> of_island = w.islands.of(i);
     const int first = w.first_block.back();
-    if (becomes_large(choice, contacts, of_island)) {
+    if (static_cast<int>(of_island.size()) > most_exact) {
       add_blocks(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, of_island, w.large_islands);
       each_lane(w.large_islands, first, static_cast<int>(w.large_islands.blocks.size()),
                 [&](int c, ContactBlock& block, std::size_t lane) {
@@ -317,7 +305,7 @@ ContactSolverReport solve_prepared(const MassProperties& mass, Contacts& contact
 
 ContactSolverReport solve_contacts(const MassProperties& mass, Contacts& contacts, Eigen::Matrix3Xd& v,
                                    const ContactSolverOptions& options, ContactWorkspace& workspace) {
-  prepare_contacts(mass, contacts, {.most_exact = options.most_exact}, workspace);
+  prepare_contacts(mass, contacts, options.most_exact, workspace);
   return solve_prepared(mass, contacts, v, options, workspace);
 }
 
@@ -334,7 +322,7 @@ ContactSolverReport project_prepared(const MassProperties& mass, const Contacts&
 ContactSolverReport project_penetrations(const MassProperties& mass, const Contacts& contacts, double fraction,
                                          Eigen::Matrix3Xd& dq, const ContactSolverOptions& options,
                                          ContactWorkspace& workspace) {
-  prepare_contacts(mass, contacts, {.most_exact = options.most_exact}, workspace);
+  prepare_contacts(mass, contacts, options.most_exact, workspace);
   return project_prepared(mass, contacts, fraction, dq, options, workspace);
 }
 

@@ -59,18 +59,9 @@ struct ContactWorkspace {
   SemismoothNewton newton;
 };
 
-// Which islands are large: those with more than `most_exact` contacts, if they move or have more than
-// `most_slow`. An island moves if the rms velocity of its contacts' bodies is above slow_speed in `motion`.
-struct LargeIslandChoice {
-  int most_exact = 1 << 30;
-  int most_slow = 0;
-  double slow_speed = 0.0;                   // m/s
-  const Eigen::Matrix3Xd* motion = nullptr;  // none: every island moves
-};
-
 // Prepares what several solves share: which bodies touch, normals and arms, masses, and which islands are
-// large. Allocates nothing once the workspace has held as much.
-void prepare_contacts(const MassProperties& mass, const Contacts& contacts, const LargeIslandChoice& choice,
+// large: those of more than most_exact contacts. Allocates nothing once the workspace has held as much.
+void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int most_exact,
                       ContactWorkspace& workspace);
 
 // Solves the contacts of one (sub-)step for the bodies' velocities v (3×N: x and y in m/s, spin in rad/s), to

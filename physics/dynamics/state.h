@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "physics/model/body_starts.h"
@@ -26,8 +27,6 @@ enum QuadratureRow {
   kAngularImpulse,
   kGravityAngularImpulse
 };
-// The last two: under a constant force their rates are quadratic in time.
-inline constexpr int kAngularRows = 2;
 // Rows of a motion without quadratures, and of one without that of gravity.
 inline constexpr int kMotionRows = 6;
 inline constexpr int kRowsWithoutGravity = kRows - 1;

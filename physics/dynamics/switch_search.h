@@ -33,7 +33,7 @@ class SwitchSearch {
 
   [[nodiscard]] double lost_to_joints() const { return lost_to_joints_; }  // J: by taut impulses
   void set_lost_to_joints(double lost) { lost_to_joints_ = lost; }
-  // s, absolute, by joint: when first switches flipped more often than is followed; negative: never.
+  // s, absolute: when first switches flipped more often than is followed; negative: never.
   [[nodiscard]] double missed_since() const { return missed_since_; }
   void add_joint() { released_at_.push_back(-1.0); }
 

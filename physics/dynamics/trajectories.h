@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -118,6 +119,9 @@ class Trajectories {
     const int k = flights_.island_of[body];
     const int group = k < 0 ? -1 : flights_.islands[k].group;
     return group >= 0 && flights_.joints.has_joints(group);
+  }
+  [[nodiscard]] bool is_jointed(std::span<const BodyIndex> bodies) const {
+    return std::any_of(bodies.begin(), bodies.end(), [this](BodyIndex i) { return is_jointed(i); });
   }
   [[nodiscard]] bool is_taut(JointIndex joint) const { return flights_.joints.taut(joint); }  // of a string
   [[nodiscard]] double length(JointIndex joint) const {

@@ -5,6 +5,7 @@
 
 #include "physics/impact/newton_law.h"
 #include "physics/impact/routh_path.h"
+#include "physics/math/vectors.h"
 #include "physics/model/coulomb_friction.h"
 
 namespace carom {
@@ -47,7 +48,7 @@ Impact resolve_central(ImpactSide& a, ImpactSide& b, const Vec2& normal, const R
     const double wanted = -(1.0 + material.tangential_restitution) * u.tangential / k_tt;
     impact.tangential = limited_by_friction(wanted, material.kinetic_friction, impact.normal);
     impact.lost_to_friction = -0.5 * impact.tangential * (2.0 * u.tangential + k_tt * impact.tangential);
-    j += impact.tangential * Vec2(-normal.y(), normal.x());
+    j += impact.tangential * crossed(normal);
     a.spin -= a.inverse_inertia * a.arm * impact.tangential;
     b.spin -= b.inverse_inertia * b.arm * impact.tangential;
   }
@@ -62,7 +63,7 @@ constexpr double kHeld = 1e-14;
 }  // namespace
 
 RelativeVelocity relative_velocity(const ImpactSide& a, const ImpactSide& b, const Vec2& normal) {
-  const Vec2 tangent(-normal.y(), normal.x());
+  const Vec2 tangent = crossed(normal);
   const Vec2 u = b.velocity - a.velocity;
   return {u.dot(normal) - a.spin * a.lever - b.spin * b.lever,
           u.dot(tangent) - a.spin * a.arm - b.spin * b.arm};
@@ -118,7 +119,7 @@ Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Su
     return resolve_central(a, b, normal, u, material);
   }
   const Impact impact = impact_by(contact_matrix(a, b, normal), u, material, law);
-  const Vec2 j = impact.normal * normal + impact.tangential * Vec2(-normal.y(), normal.x());
+  const Vec2 j = impact.normal * normal + impact.tangential * crossed(normal);
   a.velocity -= a.inverse_mass * j;
   b.velocity += b.inverse_mass * j;
   a.spin -= a.inverse_inertia * (a.lever * impact.normal + a.arm * impact.tangential);

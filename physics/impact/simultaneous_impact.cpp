@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "physics/math/vectors.h"
+
 namespace carom {
 namespace {
 
@@ -14,7 +16,7 @@ using Row = ClusterScratch::Row;
 
 // Calls visit(row) for the normal and the tangent of a contact.
 void each_row(const ClusterContact& c, const auto& visit) {
-  for (const Vec2& d : {c.normal, Vec2(-c.normal.y(), c.normal.x())})
+  for (const Vec2& d : {c.normal, crossed(c.normal)})
     visit(Row{c.a, c.b, d, cross(c.from_a, d), cross(c.from_b, d)});
 }
 

@@ -13,8 +13,9 @@ namespace carom {
 // momentum about the origin, in kg m²/s:
 //   P(t) = initial_momentum + momentum_from_gravity + momentum_from_forces + momentum_from_user
 //          - momentum_to_walls + numerical drift.
-// A push out of a penetration changes angular momentum: that is in the drift. A point-like body doesn't turn:
-// what would turn it counts as given to walls.
+// A push out of a penetration changes angular momentum: that is in the drift, except in islands of free bodies
+// without joints under contacts that last (physics/step/island_spin.h). A point-like body doesn't turn: what
+// would turn it counts as given to walls.
 struct Ledger {
   double initial = 0.0;
   double lost_to_restitution = 0.0;

@@ -1,5 +1,6 @@
 #include "physics/ledger/totals.h"
 
+#include "physics/math/vectors.h"
 #include "physics/model/mass.h"
 
 namespace carom {
@@ -15,7 +16,7 @@ Totals totals(const State& state, const MassProperties& mass, const ForceField& 
     t.translational += 0.5 * p.dot(v);
     t.rotational += 0.5 * mass.inertia[i] * spin * spin;
     t.momentum += p;
-    t.angular_momentum += x.x() * p.y() - x.y() * p.x() + mass.inertia[i] * spin;
+    t.angular_momentum += cross(x, p) + mass.inertia[i] * spin;
   }
   t.potential = field.potential_energy(state.q);
   return t;

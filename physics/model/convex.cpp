@@ -4,6 +4,8 @@
 #include <cassert>
 #include <limits>
 
+#include "physics/math/vectors.h"
+
 namespace carom {
 namespace {
 
@@ -106,8 +108,7 @@ double apart_until(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a,
       const Vec2& p = shapes.corners_of(a)[i].vertex;
       const double f0 = std::max(0.0, apart + own_b.dot(q) - own_a.dot(p));
       // n·(ω × r) = ω (r × n), in each body's own frame.
-      const double f1 = approach + twist_b.spin * (q.x() * own_b.y() - q.y() * own_b.x()) -
-                        twist_a.spin * (p.x() * own_a.y() - p.y() * own_a.x());
+      const double f1 = approach + twist_b.spin * cross(q, own_b) - twist_a.spin * cross(p, own_a);
       // The positive root of f0 + f1 t - K t²/2, in the form without cancellation.
       const double root = std::sqrt(f1 * f1 + 2.0 * curvature * f0);
       double time = kInfinite;

@@ -12,12 +12,12 @@ namespace carom {
 // A spring with its ends as body indices.
 struct SpringTerm {
   BodyIndex body;
-  BodyIndex other;  // a movable body, or -1
-  BodyIndex drive;  // a kinematic body at the other end, or -1
-  Vec2 anchor;      // m, a point, or the scene's position of a fixed or kinematic body
-  double stiffness;
-  double damping;
-  double rest_length;
+  BodyIndex other;     // a movable body, or -1
+  BodyIndex drive;     // a kinematic body at the other end, or -1
+  Vec2 anchor;         // m, a point, or the scene's position of a fixed or kinematic body
+  double stiffness;    // N/m
+  double damping;      // N s/m
+  double rest_length;  // m
   SpringActs acts;
 };
 
@@ -56,6 +56,7 @@ struct ForceTerms : CommonForces {
   std::optional<HandTerm> hand;
 };
 
+// Of a valid scene.
 [[nodiscard]] ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, const Needs& needs);
 
 }  // namespace carom

@@ -19,10 +19,10 @@ struct JointTerm {
   BodyIndex body;
   BodyIndex other;  // a movable body, or -1
   BodyIndex drive;  // a kinematic body at the other end, or -1
-  Vec2 point;
-  Vec2 anchor;    // m, on the other body or in the plane; absolute if that body is kinematic
-  double length;  // m
-  double angle;   // rad, of a weld
+  Vec2 point;       // m, on the body, along its own axes
+  Vec2 anchor;      // m, on the other body or in the plane; absolute if that body is kinematic
+  double length;    // m
+  double angle;     // rad, of a weld
   int rows;
 };
 

@@ -16,6 +16,7 @@ struct MassProperties {
   Eigen::VectorXd inertia;          // kg m²
 };
 
+// Of the bodies of a valid scene.
 [[nodiscard]] MassProperties mass_properties(const std::vector<Body>& bodies);
 
 }  // namespace carom

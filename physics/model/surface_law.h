@@ -11,6 +11,8 @@ struct SurfaceLaw {
   double kinetic_friction = 0.0;
   double rolling_resistance = 0.0;
   bool sticks = false;
+
+  friend bool operator==(const SurfaceLaw&, const SurfaceLaw&) = default;
 };
 
 }  // namespace carom

@@ -71,7 +71,7 @@ void keep_motion(const Body& was, double time, Body& now) {
   if (now.drive && was.drive && *now.drive == *was.drive) now.position = was.position;
 }
 
-// What a link leaves open it takes from its old version.
+// What a joint leaves open it takes from its old version.
 void keep_lengths(const Joint& was, Joint& now) {
   if (now.kind != was.kind) return;
   if (!now.length) now.length = was.length;

@@ -45,9 +45,11 @@ class Simulation {
   // At a later moment: `state` is from a run of the same scene, which continues here bit by bit.
   Simulation(std::shared_ptr<const CompiledScene> compiled, const RunState& state);
 
+  // One step of the method's length.
   void step();
-  // Throws StepInterrupted if a stop was requested (interrupt_on()); the simulation is then unusable. A lost
-  // run stays where it is: a step does nothing.
+  // A step of h > 0 s. Throws StepInterrupted (physics/step/step_work.h) if a stop was requested
+  // (interrupt_on()); the simulation is then unusable. A run whose motion is lost is no error but a status: it
+  // stays where it is, and a step does nothing.
   void step(double h);
   // Steps end early once a stop is requested.
   void interrupt_on(std::stop_token stop) { world_.work.stop_on(std::move(stop)); }

@@ -59,7 +59,11 @@ void check_weld(const std::string& at, const Joint& joint, const Body& body, con
               "their angle, or no \"angle\"");
   }
   const double other_spin = other != nullptr ? other->spin : 0.0;
-  if (std::abs(body.spin - other_spin) > kSlack * (std::abs(body.spin) + std::abs(other_spin))) {
+  const double against = std::abs(body.spin - other_spin);
+  // Of bodies that hardly turn, beside their speeds.
+  const double speeds = body.velocity.norm() + (other != nullptr ? other->velocity.norm() : 0.0);
+  if (against > kSlack * (std::abs(body.spin) + std::abs(other_spin)) &&
+      against * bounding_radius(body.shape) > kSlack * speeds) {
     refuse_by(Rule::kJointedStart, at,
               fmt::format("a weld of bodies that turn against each other at {} rad/s", body.spin - other_spin),
               "equal spins");

@@ -163,8 +163,7 @@ void record_impact(World& world, BodyIndex a, BodyIndex b, const Contact& contac
 
 void record_impulse(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const Impact& impact) {
   Ledger& ledger = world.sums.ledger;
-  const Vec2 tangent(-contact.normal.y(), contact.normal.x());
-  const Vec2 j = impact.normal * contact.normal + impact.tangential * tangent;
+  const Vec2 j = impact.normal * contact.normal + impact.tangential * crossed(contact.normal);
   for (const auto& [body, sign] : {std::pair(a, -1.0), std::pair(b, 1.0)}) {
     const Vec2 arm = contact.point - world.trajectories.at_start(body).head<2>();
     world.record_angular_momentum(body, contact.point, arm, sign * j, 0.0);

@@ -7,6 +7,7 @@
 
 #include "physics/contact/contact_velocity.h"
 #include "physics/step/coming_to_rest.h"
+#include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -14,8 +15,6 @@ namespace {
 
 // Relative to the size and the coordinates: a smaller gap is rounding.
 constexpr double kRounding = 1e-12;
-// Of the change of a speed by forces in a step: a contact that slips slower than this sticks.
-constexpr double kStuck = 1e-6;
 // Relative to the size: a body that moves farther in a step may push others as fast.
 constexpr double kFast = 0.02;
 // So many bodies in a row may be pushed within a step.
@@ -24,8 +23,7 @@ constexpr int kPushes = 2;
 // goes on from it.
 constexpr double kSamePlace = 0.02;
 constexpr double kSameNormal = 0.95;
-// Initial capacity for contacts.
-constexpr int kFewContacts = 64;
+constexpr int kFirstCapacity = 64;  // for contacts
 
 // m: radius of the disc that would roll on a plane as these two parts roll on each other; 0 if neither is a
 // disc.
@@ -40,10 +38,8 @@ double rolling_radius(const ConvexShapes& shapes, const ShapePair& parts) {
 // Whether a point of a manifold takes over from one that was there a step before, though other features touch
 // now: a corner has come to the end of an edge.
 bool continues(const World& world, const Manifold& m, const ManifoldPoint& at, const ContactForce& force) {
-  for (int k = 0; k < m.count; ++k) {
-    if (m.points[k].id == force.id) return false;
-  }
-  return (at.point - force.point).norm() <= kSamePlace * smaller_size(world, force.a, force.b) &&
+  return point_with(m, force.id) < 0 &&
+         (at.point - force.point).norm() <= kSamePlace * smaller_size(world, force.a, force.b) &&
          m.normal.dot(force.normal) >= kSameNormal;
 }
 
@@ -167,7 +163,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
       continue;
     }
     const int i = static_cast<int>(found.id.size());
-    if (i == c.size()) c.resize(std::max(kFewContacts, 2 * i));
+    if (i == c.size()) c.resize(std::max(kFirstCapacity, 2 * i));
     c.a[i] = a;
     c.b[i] = b;
     c.normal[i] = m.normal;

@@ -23,6 +23,14 @@ struct Landing {
   std::uint32_t id = 0;  // of the manifold's point
 };
 
+// The index of a manifold's point with this feature; -1 if there is none.
+[[nodiscard]] inline int point_with(const Manifold& m, std::uint32_t id) {
+  for (int k = 0; k < m.count; ++k) {
+    if (m.points[k].id == id) return k;
+  }
+  return -1;
+}
+
 // The contacts that may press in a step; the other arrays are parallel to them.
 struct FoundContacts {
   Contacts contacts;
@@ -48,6 +56,8 @@ struct FoundContacts {
 // With impacts at their own time, what happens within a step is followed in scenes of up to so many contacts:
 // new contacts begin when they close, and an impact changes the forces on what it hits at once.
 inline constexpr int kFewContactsOfScene = 64;
+// Of the change of a speed by forces in a step: a contact that slips slower than this sticks.
+inline constexpr double kStuck = 1e-6;
 
 // Finds which pairs may touch within a step, and where; what closes faster than it may rest is no contact but
 // an impact.

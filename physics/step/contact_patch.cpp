@@ -6,12 +6,11 @@
 
 #include "physics/collision/pair_contact.h"
 #include "physics/math/vectors.h"
+#include "physics/step/pair_motion.h"
 
 namespace carom {
 namespace {
 
-// Relative to the sizes: points touch together if their gaps and normals differ by less.
-constexpr double kTogether = 1e-9;
 // Below this share of the largest square, a determinant is rounding: the stretch cannot turn.
 constexpr double kNoTurn = 1e-12;
 
@@ -37,10 +36,10 @@ Stretch stretch_of(const World& world, BodyIndex a, BodyIndex b, const Contact& 
   const Vec2 along = crossed(contact.normal);
   Stretch stretch;
   each_welded(world, a, [&](BodyIndex i) {
-    const Pose pose_i = g.pose(i, world.trajectories.at_start(i).head<3>());
+    const Pose pose_i = pose_at_start(world, i);
     each_welded(world, b, [&](BodyIndex j) {
       if (!world.can_collide(i, j)) return;
-      const Pose pose_j = g.pose(j, world.trajectories.at_start(j).head<3>());
+      const Pose pose_j = pose_at_start(world, j);
       const double tolerance = kTogether * (g.size[i] + g.size[j]);
       each_manifold(g, i, pose_i, j, pose_j, contact.gap + tolerance, [&](const Manifold& m) {
         if (std::abs(cross(m.normal, contact.normal)) > kTogether) return;

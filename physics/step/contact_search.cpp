@@ -64,6 +64,10 @@ class Paid {
   [[nodiscard]] bool clear(const TurningSample& from, const TurningSample& to, double width) const {
     return pair_.clear(from, to, width);
   }
+  [[nodiscard]] bool clear_turning(const TurningSample& from, const TurningSample& to, double width,
+                                   double tolerance) const {
+    return pair_.clear_turning(from, to, width, tolerance);
+  }
   [[nodiscard]] double curvature_along(const Vec2& n) const {
     return bends_.alike ? std::max(0.0, n.dot(bends_.acceleration)) : bends_.bound;
   }
@@ -106,6 +110,17 @@ struct Paths {
     return approach_of(shapes, a, at(a, t), twist(a, t), b, at(b, t), twist(b, t), tolerance, parts);
   }
 };
+
+// m/s²: how much more the relative path of the centres of two parts bends than that of their bodies, about
+// which they go around.
+double around_bodies(const World& world, BodyIndex a, BodyIndex b, const ShapePair& parts) {
+  double bound = 0.0;
+  for (const auto& [i, part] : {std::pair(a, parts.a), std::pair(b, parts.b)}) {
+    if (world.shapes().has_parts(i))
+      bound += world.trajectories.turn_bound(i) * world.shapes().place[part].norm();
+  }
+  return bound;
+}
 
 // Two discs on parabolas of the same acceleration move straight relative to each other: their next impact in
 // closed form.
@@ -172,14 +187,10 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
   if (!(bound < kBlownUp)) return {};
   const Paths paths{trajectories, shapes, parabolic};
   const auto [part_a, part_b] = parts;
-  // The centre of a part goes around that of its body.
-  double centres_bound = path_bound;
-  for (const auto& [i, part] : {std::pair(a, part_a), std::pair(b, part_b)}) {
-    if (shapes.has_parts(i)) centres_bound += trajectories.turn_bound(i) * shapes.place[part].norm();
-  }
   const TurningPair pair(
       shapes.shapes, part_a, [&, part = part_a](double t) { return paths.pose(a, part, t); }, part_b,
-      [&, part = part_b](double t) { return paths.pose(b, part, t); }, centres_bound);
+      [&, part = part_b](double t) { return paths.pose(b, part, t); },
+      path_bound + around_bodies(world, a, b, parts), trajectories.turn_bound(a), trajectories.turn_bound(b));
   const double tolerance = touch_tolerance(world, a, b, end - begin);
   const bool resting = rules.rests(a, b);
   const auto waits = [&](double closing) {

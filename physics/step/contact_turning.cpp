@@ -8,6 +8,7 @@
 #include "physics/contact/contact_velocity.h"
 #include "physics/model/convex.h"
 #include "physics/step/contact_arms.h"
+#include "physics/step/internal_edges.h"
 #include "physics/step/neighbours.h"
 #include "physics/step/pair_motion.h"
 
@@ -19,8 +20,6 @@ constexpr double kStill = 1e-11;
 // Relative to the smaller body: gaps at the end that are left. Where many contacts hold each other they cannot
 // all close, and would push each other to and fro for ever.
 constexpr double kLeft = 1e-11;
-// Cosine of the angle by which a normal may turn in a step; what turns further is another contact.
-constexpr double kLeastCosine = 0.9;
 // Of what presses a contact in a step: the fastest that an overlap may part it.
 constexpr double kMostParting = 0.5;
 // Likewise: a contact that closes faster at the end under the guessed forces hits, and keeps its normal.
@@ -54,14 +53,6 @@ Flown flown(const World& world, double h, const GuessedFlight& flight, BodyIndex
   const bool on = goes_on(world, h, flight, body);
   const Vec2 mean = on ? arm_start(world, h, flight, body) : Vec2(from.head<2>());
   return {world.shapes().pose(body, to), to - from, mean, on};
-}
-
-// The point of a manifold with this feature; null if there is none.
-const ManifoldPoint* point_of(const Manifold& m, std::uint32_t id) {
-  for (int k = 0; k < m.count; ++k) {
-    if (m.points[k].id == id) return &m.points[k];
-  }
-  return nullptr;
 }
 
 bool moved(const World& world, int ka, const Flown& a, int kb, const Flown& b) {
@@ -166,8 +157,9 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
       if (turns && (i == first || parts_of(found.id[k]) != parts_of(found.id[k - 1]))) {
         end = manifold_of(shapes, ka, a.end, kb, b.end, found.id[k], std::numeric_limits<double>::infinity());
       }
-      const ManifoldPoint* at = turns ? point_of(end, found.id[k]) : nullptr;
-      const double press = std::max(found.press[k], 0.0) * h;
+      const int point = turns ? point_with(end, found.id[k]) : -1;
+      const ManifoldPoint* at = point < 0 ? nullptr : &end.points[static_cast<std::size_t>(point)];
+      const double press = (std::max(found.press[k], 0.0) + turning_press(world, c, i)) * h;
       const bool turns_far = !goes_on || (at != nullptr && end.normal.dot(c.normal[i]) <= kLeastCosine);
       const double own = found.guess[k][0] * (world.mass().inverse_mass[ka] + world.mass().inverse_mass[kb]);
       if (round && at != nullptr && turns_far && leaves(c, i, *at, end, own, h, a, b, flight.velocity) &&

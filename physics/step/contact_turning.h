@@ -8,6 +8,9 @@
 
 namespace carom {
 
+// Cosine of the angle by which a normal may turn in a step, some 25°; what turns further is another contact.
+inline constexpr double kLeastCosine = 0.9;
+
 // The flight of a step under guessed contact forces: 3×N, in m and rad, m/s and rad/s, and the forces'
 // accelerations; and what presses each body hardest at one of its contacts.
 struct GuessedFlight {

@@ -25,8 +25,8 @@ Vec2 mean_place(World& world, double passed, const GuessedFlight& flight, BodyIn
 
 // `place(body)`: where the side that moves is on the mean, in m; with the arm from there, impulses change its
 // angular momentum by their moment about the origin.
-void record_immovable(World& world, const Contacts& c, int i, double share, const Eigen::Matrix3Xd& mean,
-                      const auto& place) {
+void record_impulses(World& world, const Contacts& c, int i, double share, const Eigen::Matrix3Xd& mean,
+                     const auto& place) {
   const Vec2 j = share * (c.normal_impulse[i] * c.normal[i] + c.tangential_impulse[i] * crossed(c.normal[i]));
   for (const auto& [body, sign] : {std::pair(c.a[i], -1.0), std::pair(c.b[i], 1.0)}) {
     const Vec2& arm = body == c.a[i] ? c.arm_a[i] : c.arm_b[i];
@@ -61,8 +61,8 @@ void record_support(World& world, const Contacts& c, const GaussContacts& linear
         mean.col(c.b[i])[2] * off(c.b[i]).dot(c.normal[i]) - mean.col(c.a[i])[2] * off(c.a[i]).dot(c.normal[i]);
     ledger.lost_to_friction += std::max(0.0, -share * c.tangential_impulse[i] * u.tangential);
     ledger.lost_to_rolling += std::max(0.0, -share * c.rolling_impulse[i] * u.spin);
-    record_immovable(world, c, i, share, mean,
-                     [&](BodyIndex body) { return mean_place(world, passed, flight, body); });
+    record_impulses(world, c, i, share, mean,
+                    [&](BodyIndex body) { return mean_place(world, passed, flight, body); });
   }
 }
 
@@ -76,7 +76,7 @@ void record_stops(World& world, const Contacts& c, const Eigen::Matrix3Xd& mean)
     normal -= c.normal_impulse[i] * u.normal;
     tangential -= c.tangential_impulse[i] * u.tangential;
     rolling -= c.rolling_impulse[i] * u.spin;
-    record_immovable(world, c, i, 1.0, mean, [&](BodyIndex body) { return Vec2(world.state.position(body)); });
+    record_impulses(world, c, i, 1.0, mean, [&](BodyIndex body) { return Vec2(world.state.position(body)); });
   }
   // Where normals and tangents are coupled, energy passes from one to the other; only the sum is lost.
   const double all = std::max(0.0, normal + tangential + rolling);

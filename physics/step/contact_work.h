@@ -9,8 +9,8 @@
 
 namespace carom {
 
-// What contact impulses do, entered into the ledger: momentum to immovable bodies, work of driven ones, and
-// losses. `mean` are the bodies' mean velocities while they act (3×N: m/s, m/s, rad/s).
+// What contact impulses do, entered into the ledger: momentum to static and kinematic bodies, work of
+// the latter, and losses. `mean` are the bodies' mean velocities while they act (3×N: m/s, m/s, rad/s).
 
 // Forces that support bodies, or this share of their impulses. Friction and rolling resistance take what they
 // oppose; along the normal nothing moves, and what does is the method's error.

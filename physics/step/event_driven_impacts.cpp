@@ -11,6 +11,7 @@
 #include "physics/ledger/step_limits.h"
 #include "physics/step/apply_impact.h"
 #include "physics/step/coming_to_rest.h"
+#include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {

@@ -40,7 +40,7 @@ struct ScheduleState {
 // resolved. Only the bodies of an impact change, and only their neighbours are searched again. The state at
 // an impact is a true step of the method, so the integrator keeps its order through impacts. Impacts of one
 // body with several others at the same time are resolved at once, and with them all that touch if the scene
-// says so (simultaneous_impacts.cpp). The search is in impact_schedule.cpp.
+// says so (impacts_of_a_moment.cpp). The search is in impact_schedule.cpp.
 //
 // Fixed-step integrators rebuild every trajectory after each step. The adaptive integrator and exact flight
 // need no common step: their trajectories continue across it, and the step is only the interval between two
@@ -124,7 +124,7 @@ class EventDrivenImpacts {
   double epoch_length_ = 1.0;      // s, a power of two
   double last_impact_ = -1.0;      // s within the epoch
   int at_once_ = 0;                // impacts before it at the same time
-  std::int64_t at_once_work_ = 0;  // in this step, see simultaneous_impacts.cpp
+  std::int64_t at_once_work_ = 0;  // in this step, see impacts_of_a_moment.cpp
   CellGrid grid_;
   EventQueue queue_;
   std::vector<std::uint32_t> stamp_;  // by body, that of its island; constant for static bodies

@@ -8,6 +8,8 @@
 #include "physics/collision/pair_contact.h"
 #include "physics/math/roots.h"
 #include "physics/math/vectors.h"
+#include "physics/step/internal_edges.h"
+#include "physics/step/pair_motion.h"
 
 namespace carom {
 namespace {
@@ -82,7 +84,7 @@ Sides sides_of(const World& world, const FoundContacts& found, int i) {
   const BodyIndex b = found.contacts.b[i];
   const auto parts = parts_at(g, a, b, found.id[static_cast<std::size_t>(i)]);
   const auto pose = [&](BodyIndex body, ShapeIndex part) {
-    return g.part_pose(body, part, g.pose(body, world.trajectories.at_start(body).head<3>()));
+    return g.part_pose(body, part, pose_at_start(world, body));
   };
   const Vec2 n = found.contacts.normal[i];
   return {{a, parts.a, pose(a, parts.a), n}, {b, parts.b, pose(b, parts.b), -n}};
@@ -188,13 +190,14 @@ double first_face_end(World& world, const std::vector<TouchOnFace>& touches, con
   double first = h;
   for (const TouchOnFace& on : touches) {
     const double before = is_corner(world, on) ? kBeforeEnd * sizes(world, on.body, on.toucher) : 0.0;
-    const auto past = [&](double t) {
-      return before + beyond(on, place_along(world, on, world.trajectories.at(on.toucher, t),
-                                             world.trajectories.at(on.body, t)));
+    const auto left = [&](double t) {
+      return -before - beyond(on, place_along(world, on, world.trajectories.at(on.toucher, t),
+                                              world.trajectories.at(on.body, t)));
     };
-    const double then = past(first);
-    if (!(then > 0.0)) continue;
-    const double time = bracketed_root(past, 0.0, before - on.left, first, then);
+    const double now = left(0.0);
+    const double then = left(first);
+    if (!(now > 0.0 && then < 0.0)) continue;
+    const double time = bracketed_root(left, 0.0, now, first, then);
     if (ends_there(world, on, time, neighbours)) first = time;
   }
   return first;

@@ -23,8 +23,8 @@ namespace carom {
 // Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section II.1.3), or the integrator's if that
 // is lower.
 //
-// Rolling resistance, contacts that turn by more than some 25° in a step, and those that another body continues
-// keep constant forces.
+// Rolling resistance, contacts that turn by more than kLeastCosine in a step, and those that another body
+// continues keep constant forces.
 class GaussContacts {
  public:
   // Starts a part of a step of the method of step_length s at this absolute time.

@@ -9,8 +9,11 @@
 #include "physics/collision/pair_contact.h"
 #include "physics/contact/contact_velocity.h"
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/math/sort_unique.h"
 #include "physics/math/vectors.h"
+#include "physics/step/contact_turning.h"
 #include "physics/step/gauss_modes.h"
+#include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -39,8 +42,6 @@ constexpr double kFull = 1e-9;
 constexpr double kSameLine = 1e-9;
 // rad: contacts that turn by less have constant normals and arms.
 constexpr double kStill = 1e-11;
-// Cosine of the angle by which a normal may turn in a step.
-constexpr double kLeastCosine = 0.9;
 
 // The mean position on a path that is a cubic in time, weighted by the share of a Gauss point.
 Vec2 weighted_mean(std::size_t point, const Motion& from, const Motion& to, double h) {
@@ -151,8 +152,7 @@ bool GaussIsland::list(const GaussStep& step) {
     if (c.face == static_cast<int>(held_.size())) held_.push_back(false);
     closed_.push_back(c);
   }
-  std::sort(bodies_.begin(), bodies_.end());
-  bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
+  sort_unique(bodies_);
   return !closed_.empty();
 }
 
@@ -284,7 +284,7 @@ double GaussIsland::off(const GaussStep& step, double left) const {
     const double gap =
         std::max(std::abs(c.end.gap - c.stays_open) - left * smaller_size(step.world, c.a, c.b), 0.0);
     most = std::max({most, std::abs(c.end.parting) / step.tolerance, gap / closed_within(step, c)});
-    if (c.sticks && c.presses)
+    if (c.sticks)
       most = std::max({most, std::abs(c.end.slip) / step.tolerance, std::abs(c.halfway.slip) / step.tolerance});
   }
   return most;

@@ -38,7 +38,7 @@ void resolve_at_once(World& world, HitsAtOnce& buffers, double h, double within)
       cluster.clear();
       for (const Hit& hit : together) cluster.add(hit.a, hit.b, hit.contact);
       cluster.drop_doubles(world);
-      if (!cluster.has_several_pairs() || together.size() > kMostTogether) continue;
+      if (!cluster.has_several(world) || together.size() > kMostTogether) continue;
       if (!cluster.has_law(world)) {
         world.note(&Notices::order_decided_since, world.trajectories.epoch() + within,
                    {together.back().a, together.back().b});

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "physics/math/sort_unique.h"
 #include "physics/math/vectors.h"
 #include "physics/step/apply_impact.h"
 
@@ -17,10 +18,6 @@ constexpr double kSlowest = 1e-3;
 constexpr double kOnePoint = 1e-6;
 // Of the speeds: a closing speed.
 constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
-
-bool is_jointed(const Trajectories& trajectories, std::span<const BodyIndex> bodies) {
-  return std::any_of(bodies.begin(), bodies.end(), [&](BodyIndex i) { return trajectories.is_jointed(i); });
-}
 
 }  // namespace
 
@@ -56,25 +53,37 @@ void ImpactCluster::drop_doubles(const World& world) {
     if (world.infinite_mass(t.a) == world.infinite_mass(t.b)) return std::nullopt;
     return world.infinite_mass(t.a) ? Seen{t.b, t.contact.normal} : Seen{t.a, -t.contact.normal};
   };
+  const auto yields = [&](const Touch& t, const Touch& to) {
+    const SurfaceLaw& law = world.material(t.contact, t.a, t.b);
+    const SurfaceLaw& other = world.material(to.contact, to.a, to.b);
+    return std::pair(law.restitution, -law.kinetic_friction) >
+           std::pair(other.restitution, -other.kinetic_friction);
+  };
   std::size_t kept = 0;
   for (const Touch& t : touches_) {
     const std::optional<Seen> now = seen(t);
     const auto end = touches_.begin() + static_cast<std::ptrdiff_t>(kept);
-    const bool again = now && std::any_of(touches_.begin(), end, [&](const Touch& earlier) {
-                         const std::optional<Seen> before = seen(earlier);
-                         return before && before->moves == now->moves &&
-                                (before->out - now->out).norm() <= kOnePoint &&
-                                (earlier.contact.point - t.contact.point).norm() <=
-                                    kOnePoint * world.shapes().size[now->moves];
-                       });
-    if (!again) touches_[kept++] = t;
+    const auto same = std::find_if(touches_.begin(), end, [&](const Touch& earlier) {
+      const std::optional<Seen> before = now ? seen(earlier) : std::nullopt;
+      return before && before->moves == now->moves && (before->out - now->out).norm() <= kOnePoint &&
+             (earlier.contact.point - t.contact.point).norm() <= kOnePoint * world.shapes().size[now->moves];
+    });
+    if (same == end) {
+      touches_[kept++] = t;
+    } else if (yields(*same, t)) {
+      *same = t;
+    }
   }
   touches_.resize(kept);
 }
 
-bool ImpactCluster::has_several_pairs() const {
-  return std::any_of(touches_.begin(), touches_.end(),
-                     [&](const Touch& t) { return t.a != touches_.front().a || t.b != touches_.front().b; });
+bool ImpactCluster::has_several(const World& world) const {
+  if (touches_.empty()) return false;
+  const Touch& first = touches_.front();
+  const SurfaceLaw& law = world.material(first.contact, first.a, first.b);
+  return std::any_of(touches_.begin() + 1, touches_.end(), [&](const Touch& t) {
+    return t.a != first.a || t.b != first.b || world.material(t.contact, t.a, t.b) != law;
+  });
 }
 
 bool ImpactCluster::has_law(const World& world) const {
@@ -94,8 +103,7 @@ std::int64_t ImpactCluster::work(const World& world) const {
 const std::vector<BodyIndex>& ImpactCluster::find_bodies() {
   bodies_.clear();
   for (const Touch& t : touches_) bodies_.insert(bodies_.end(), {t.a, t.b});
-  std::sort(bodies_.begin(), bodies_.end());
-  bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
+  sort_unique(bodies_);
   return bodies_;
 }
 
@@ -132,7 +140,7 @@ void ImpactCluster::fill(World& world) {
 // With the joints as they are: the answers, and impulses by them.
 ClusterOutcome ImpactCluster::solve(World& world, ClusterRestitution restitution) {
   answers_ = free_;
-  if (is_jointed(world.trajectories, bodies_)) {
+  if (world.trajectories.is_jointed(bodies_)) {
     const auto n = static_cast<Eigen::Index>(bodies_.size());
     for (Eigen::Index first = 0; first < answers_.cols(); first += n)
       world.trajectories.project_changes(bodies_, answers_.middleCols(first, n));
@@ -145,7 +153,7 @@ ClusterOutcome ImpactCluster::solve(World& world, ClusterRestitution restitution
 // Changes the motions by the impulses. False if a string would have to push: it is slack from then on.
 bool ImpactCluster::apply(World& world) {
   Trajectories& trajectories = world.trajectories;
-  if (is_jointed(trajectories, bodies_)) {
+  if (trajectories.is_jointed(bodies_)) {
     const auto n = static_cast<Eigen::Index>(bodies_.size());
     after_.setZero();
     Eigen::Index first = 0;

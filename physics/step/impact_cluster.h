@@ -69,11 +69,12 @@ class ImpactCluster {
     keep_connected(world, a, b, touches_);
     drop_doubles(world);
   }
-  // Of several touches of a body with immovable ones at one point and along one normal, keeps the first: there
-  // these have one surface.
+  // Of several touches of a body with static and kinematic ones at one point and along one normal, keeps one:
+  // there these have one surface. Where its two sides differ it is the less elastic one, of two as elastic the
+  // rougher one, whatever the order of the bodies.
   void drop_doubles(const World& world);
-  // Whether the touches are of more than one pair of bodies.
-  [[nodiscard]] bool has_several_pairs() const;
+  // Whether the touches are of more than one pair of bodies, or of parts with several laws.
+  [[nodiscard]] bool has_several(const World& world) const;
   // Whether the law of simultaneous impacts knows all properties of their surfaces.
   [[nodiscard]] bool has_law(const World& world) const;
   // About how much the law has to do: the cube of its number of unknowns.

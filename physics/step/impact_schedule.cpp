@@ -7,6 +7,7 @@
 #include "physics/collision/pair_contact.h"
 #include "physics/step/contact_search.h"
 #include "physics/step/event_driven_impacts.h"
+#include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 
 // The schedule of impacts: trajectories in cells, and the search of each one's neighbours.

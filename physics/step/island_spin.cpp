@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/math/sort_unique.h"
 #include "physics/math/vectors.h"
 
 namespace carom {
@@ -19,8 +20,7 @@ bool list_free_bodies(const World& world, const Contacts& contacts, std::span<co
       bodies.push_back(i);
     }
   }
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  sort_unique(bodies);
   return true;
 }
 

@@ -1,13 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "physics/collision/contact.h"
-#include "physics/collision/smooth_surface.h"
-#include "physics/model/convex.h"
 #include "physics/step/pair_list.h"
 #include "physics/step/world.h"
 
@@ -49,55 +44,5 @@ class Neighbours {
   std::vector<int> first_;
   std::vector<BodyIndex> partners_;
 };
-
-// Relative to the sizes: a resting body is off its place by what the solver of its contact forces leaves, up
-// to 1e-10.
-inline constexpr double kFlush = 1e-8;
-
-// Whether a and b can touch at an edge that a third body continues: only corners can.
-[[nodiscard]] inline bool may_be_continued(const World& world, BodyIndex a, BodyIndex b) {
-  return !world.shapes().is_disc(a) || !world.shapes().is_disc(b);
-}
-
-// Whether another part, of a body itself or of one of `others`, leaves no such contact of a and b, because it
-// continues the surface of one of them there (neighbour_covers). pose(i) is the pose of a body.
-template <class PoseOf>
-[[nodiscard]] bool on_internal_edge(const World& world, BodyIndex a, BodyIndex b, const Contact& contact,
-                                    std::span<const BodyIndex> others, const PoseOf& pose) {
-  const Geometry& g = world.shapes();
-  const Vec2 half = 0.5 * contact.gap * contact.normal;
-  const ShapePair parts = g.parts_or_first(contact.parts, a, b);
-  const auto covers = [&](BodyIndex other, BodyIndex owner, ShapeIndex part, BodyIndex toucher,
-                          const Vec2& point, const Vec2& normal) {
-    if (!world.can_collide(other, toucher) || g.shapes.core[part] == Core::kPoint) return false;
-    const double tolerance = kFlush * (g.size[owner] + g.size[other]) + 1e-12 * point.lpNorm<1>();
-    if (g.more.empty()) {
-      return neighbour_covers(g.shapes, part, pose(owner), g.first_part(other), pose(other), point, normal,
-                              tolerance, !world.can_collide(owner, other));
-    }
-    const bool one_body = owner == other;
-    const ShapeIndex touching = toucher == a ? parts.a : parts.b;
-    const bool by_face =
-        one_body && has_face(g.shapes, touching, g.part_pose(toucher, touching, pose(toucher)), -normal);
-    const Pose of_owner = g.part_pose(owner, part, pose(owner));
-    const Pose of_other = pose(other);
-    bool covered = false;
-    g.each_part(other, [&](ShapeIndex piece) {
-      if (covered || piece == part) return;
-      covered = neighbour_covers(g.shapes, part, of_owner, piece, g.part_pose(other, piece, of_other), point,
-                                 normal, tolerance, one_body || !world.can_collide(owner, other), by_face);
-    });
-    return covered;
-  };
-  const Vec2 on_a = contact.point - half;
-  const Vec2 on_b = contact.point + half;
-  if (g.has_parts(a) && covers(a, a, parts.a, b, on_a, contact.normal)) return true;
-  if (g.has_parts(b) && covers(b, b, parts.b, a, on_b, -contact.normal)) return true;
-  return std::any_of(others.begin(), others.end(), [&](BodyIndex other) {
-    return other != a && other != b &&
-           (covers(other, a, parts.a, b, on_a, contact.normal) ||
-            covers(other, b, parts.b, a, on_b, -contact.normal));
-  });
-}
 
 }  // namespace carom

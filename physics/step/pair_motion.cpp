@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "physics/collision/pair_contact.h"
+#include "physics/contact/contact_velocity.h"
 #include "physics/scene/drive.h"
 #include "physics/step/coming_to_rest.h"
 
@@ -15,6 +16,10 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 }  // namespace
+
+Pose pose_at_start(const World& world, BodyIndex body) {
+  return world.shapes().pose(body, world.trajectories.at_start(body).head<3>());
+}
 
 double smaller_size(const World& world, BodyIndex a, BodyIndex b) {
   double size = std::numeric_limits<double>::infinity();
@@ -56,6 +61,14 @@ double curvature(const World& world, BodyIndex a, BodyIndex b, double of_centres
       sum += world.trajectories.turn_bound(i) * world.shapes().core_reach[i];
   }
   return sum;
+}
+
+double turning_press(const World& world, const Contacts& c, int i) {
+  const Eigen::Vector3d a = world.state.v.col(c.a[i]);
+  const Eigen::Vector3d b = world.state.v.col(c.b[i]);
+  const double slides = std::abs(contact_velocity(c, i, world.state.v).tangential);
+  return (std::abs(a[2]) + std::abs(b[2])) * slides + a[2] * a[2] * c.arm_a[i].norm() +
+         b[2] * b[2] * c.arm_b[i].norm();
 }
 
 double pressed_in(const World& world, BodyIndex a, BodyIndex b, double h) {

@@ -1,10 +1,17 @@
 #pragma once
 
 #include "physics/collision/approach.h"
+#include "physics/contact/contacts.h"
 #include "physics/step/world.h"
 
 // Relative motion of two bodies, and its rounding.
 namespace carom {
+
+// Relative to the sizes: points touch together if their gaps differ by less.
+inline constexpr double kTogether = 1e-9;
+
+// At the start of the body's trajectory.
+[[nodiscard]] Pose pose_at_start(const World& world, BodyIndex body);
 
 // m: the size of the smaller body of the pair; bodies of infinite mass don't count.
 [[nodiscard]] double smaller_size(const World& world, BodyIndex a, BodyIndex b);
@@ -17,6 +24,8 @@ namespace carom {
                                    double within);
 // m/s²: curvature bound of the relative paths of two bodies' points; `of_centres` is that of their centres.
 [[nodiscard]] double curvature(const World& world, BodyIndex a, BodyIndex b, double of_centres);
+// m/s²: about what their turning alone adds to the relative acceleration of two bodies at contact i.
+[[nodiscard]] double turning_press(const World& world, const Contacts& contacts, int i);
 // m/s: largest closing speed that forces alone give a resting pair in a step of h s.
 [[nodiscard]] double pressed_in(const World& world, BodyIndex a, BodyIndex b, double h);
 // m/s²: acceleration by which forces and drives press the pair together along the normal, at the start of

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "physics/step/apply_impact.h"
+#include "physics/step/internal_edges.h"
 #include "physics/step/neighbours.h"
 #include "physics/step/pair_motion.h"
 #include "physics/step/run_clock.h"
@@ -63,9 +64,7 @@ Approach overlap_of(const World& world, BodyIndex a, BodyIndex b, const ShapePai
                     const Neighbours& neighbours) {
   Approach at = world.approach(a, b, 0.0, parts);
   if (!(at.contact.gap < 0.0) || !may_be_continued(world, a, b)) return at;
-  const auto pose = [&](BodyIndex i) {
-    return world.shapes().pose(i, world.trajectories.at_start(i).head<3>());
-  };
+  const auto pose = [&](BodyIndex i) { return pose_at_start(world, i); };
   const std::span<const BodyIndex> others = neighbours.of_pair(world, a, b);
   if (!on_internal_edge(world, a, b, at.contact, others, pose)) return at;
   const auto has_plane = [&](ShapeIndex part) { return world.shapes().shapes.core[part] == Core::kHalfPlane; };

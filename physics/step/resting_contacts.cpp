@@ -16,20 +16,15 @@ namespace carom {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// Of the change of a speed by forces in a step: a contact that slips slower than this sticks.
-constexpr double kStuck = 1e-6;
 // Of what presses a contact in a step, times the step: smaller penetrations are left to the contact forces.
 constexpr double kShallow = 0.5;
 // Relative to the size: a smaller penetration is rounding, and one beyond kDeep is removed in several steps.
 constexpr double kPenetration = 1e-12;
 constexpr double kDeep = 0.05;
-// Number of contacts up to which an island is solved exactly: always, or if its rms velocity is at most kSlow
-// of the change of a speed by forces in a step. A large island has the tolerance kLargeMotion of its speeds,
-// at most kLargeSolved of that change: as it comes to rest its solution improves, each step starting from the
-// forces of the one before.
+// Number of contacts up to which an island is solved exactly. A larger island has the tolerance kLargeMotion of
+// its speeds, at most kLargeSolved of the change of a speed by forces in a step: as it comes to rest its
+// solution improves, each step starting from the forces of the one before.
 constexpr int kMostExact = 64;
-constexpr int kMostExactAtRest = 64;
-constexpr double kSlow = 1e-5;
 constexpr double kLargeMotion = 0.1;
 constexpr double kLargeSolved = 1e-2;
 constexpr double kLargeRest = 1e-9;
@@ -98,12 +93,11 @@ void RestingContacts::support(World& world, double h, bool may_divide) {
     if (supported_ < h) find_contacts(world, supported_);
   }
   double holds = hold(world, supported_, may_divide ? 0.0 : kWhole * supported_);
-  for (int round = 1; may_divide && holds < kWhole * supported_; ++round) {
+  for (int round = 1; may_divide && round <= kMostEnds && holds < kWhole * supported_; ++round) {
     supported_ = holds;
     take_off_forces(world);
     find_contacts(world, supported_);
     holds = hold(world, supported_, round < kMostEnds ? 0.0 : kAbout * supported_);
-    if (round == kMostEnds) break;
   }
 }
 
@@ -169,7 +163,7 @@ int RestingContacts::parts_at_once(const World& world, double h) {
         speed += std::abs(world.state.v.col(k)[2]) * world.shapes().core_reach[k];
     }
     if (speed * h * kMostParts < c.gap[i]) continue;
-    // Over an immovable body others may slide far without turning the contact.
+    // Over a body of infinite mass others may slide far without turning the contact.
     const bool free = !world.infinite_mass(a) && !world.infinite_mass(b);
     const RowVelocity u = contact_velocity(c, i, world.state.v);
     if (free || crowded(a) || crowded(b))
@@ -216,12 +210,7 @@ void RestingContacts::read_velocities(const World& world) {
 }
 
 void RestingContacts::prepare(const World& world) {
-  prepare_contacts(world.mass(), found_.contacts,
-                   {.most_exact = kMostExact,
-                    .most_slow = kMostExactAtRest,
-                    .slow_speed = kSlow * pressing_.change_by_forces(),
-                    .motion = &world.state.v},
-                   workspace_);
+  prepare_contacts(world.mass(), found_.contacts, kMostExact, workspace_);
   prepared_ = true;
 }
 

@@ -1,11 +1,15 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "physics/contact/contact_velocity.h"
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/math/sort_unique.h"
 #include "physics/math/vectors.h"
 #include "physics/step/contact_work.h"
+#include "physics/step/pair_motion.h"
 #include "physics/step/resting_contacts.h"
+#include "physics/step/stop_with_joints.h"
 
 // The forces of resting contacts: what stops approaches, constant forces, and linear ones in their place.
 namespace carom {
@@ -26,64 +30,56 @@ constexpr double kHeld = 1.0 / 30.0;
 constexpr int kMostBreaks = 3;
 // Corrections of the contact forces where the integrator's flight is not linear in them.
 constexpr int kMostRounds = 12;
+// Of the full moment of rolling resistance: a difference from it.
+constexpr double kFullMoment = 1e-9;
 // Of the change of a speed by forces in a step: a smaller residual is not worth a notice.
 constexpr double kNotable = 1e-6;
+// Times the solver's tolerance, likewise, where no forces act.
+constexpr double kNotableRounding = 1e3;
 
-void report_residual(World& world, const ContactSolverReport& report, double by_forces) {
-  if (report.missed_islands == 0 || report.residual <= kNotable * by_forces) return;
+// s: when the first of the contacts that stop rolling within h does so, or rolls back from then on; h if none
+// does. The solver gives such a contact one moment for all of h, which acts too weakly, or the wrong way, until
+// then. `before` and `after` are the velocities at the start and the end; what rolls slower than `still` (m/s,
+// at the size of the smaller body) does not.
+double rolling_ends(const World& world, const Contacts& c, const Eigen::Matrix3Xd& before,
+                    const Eigen::Matrix3Xd& after, double h, double still) {
+  double first = h;
+  for (int i = 0; i < c.size(); ++i) {
+    const double full = c.rolling[i] * c.normal_impulse[i];
+    if (!(full > 0.0)) continue;
+    const double spin = contact_velocity(c, i, before).spin;
+    const double rolls = std::abs(spin);
+    if (!(rolls * smaller_size(world, c.a[i], c.b[i]) > still)) continue;
+    const double missing = full + std::copysign(1.0, spin) * c.rolling_impulse[i];
+    if (!(missing > kFullMoment * full)) continue;
+    const double stops = rolls - std::copysign(1.0, spin) * contact_velocity(c, i, after).spin;
+    double gives_way = 0.0;  // 1/(kg m²)
+    for (const auto& [body, arm] : {std::pair(c.a[i], c.arm_a[i]), std::pair(c.b[i], c.arm_b[i])}) {
+      if (!(world.mass().inverse_inertia[body] > 0.0)) continue;
+      const double slides_too = c.sticks[i] != 0 ? arm.squaredNorm() * world.mass().mass[body] : 0.0;
+      gives_way += 1.0 / (world.mass().inertia[body] + slides_too);
+    }
+    first = std::min(first, h * rolls / (stops + gives_way * missing));
+  }
+  return first;
+}
+
+void report_residual(World& world, const ContactSolverReport& report, double by_forces, double tolerance) {
+  if (report.missed_islands == 0 || report.residual <= kNotable * by_forces + kNotableRounding * tolerance)
+    return;
   world.note(&Notices::contacts_left_since, world.clock.time);
   double& left = world.sums.notices.contacts_left;
   left = std::max(left, report.residual);
 }
 
-// Of the impulses of joints and contacts, each found from the other's last.
-constexpr int kMostStopRounds = 200;
-
-bool joints_hold(const World& world, const Contacts& c) {
-  for (int i = 0; i < c.size(); ++i) {
-    if (world.trajectories.is_jointed(c.a[i]) || world.trajectories.is_jointed(c.b[i])) return true;
-  }
-  return false;
-}
-
-// Stops contacts some of whose bodies are jointed, and gives the trajectories the velocities after it. A body
-// gives way to a contact less than it would without its joints, so that the rounds converge: `solve` finds the
-// contacts' impulses without joints from `free`, which takes what joints changed in the round before.
-template <class Solve>
-ContactSolverReport stop_with_joints(World& world, const Contacts& c, const Eigen::Matrix3Xd& before,
-                                     double tolerance, const Solve& solve, Eigen::Matrix3Xd& free,
-                                     Eigen::Matrix3Xd& after) {
-  std::vector<BodyIndex> bodies;
+// The bodies that these contacts may move, in rising order.
+void list_moved(const World& world, const Contacts& c, std::vector<BodyIndex>& bodies) {
   for (int i = 0; i < c.size(); ++i) {
     for (const BodyIndex body : {c.a[i], c.b[i]}) {
       if (!world.infinite_mass(body)) bodies.push_back(body);
     }
   }
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  Eigen::Matrix3Xd own(3, static_cast<Eigen::Index>(bodies.size()));  // changes by contacts alone
-  Eigen::Matrix3Xd all = own;
-  ContactSolverReport report;
-  do {  // again where a string would have to push, and is slack from now on
-    free = before;
-    for (int round = 0; round < kMostStopRounds; ++round) {
-      report = solve(free);
-      for (std::size_t k = 0; k < bodies.size(); ++k)
-        own.col(static_cast<Eigen::Index>(k)) = after.col(bodies[k]) - free.col(bodies[k]);
-      all = own;
-      world.trajectories.project_changes(bodies, all);
-      double off = 0.0;
-      for (std::size_t k = 0; k < bodies.size(); ++k) {
-        const BodyIndex i = bodies[k];
-        const Eigen::Vector3d by = before.col(i) + all.col(static_cast<Eigen::Index>(k)) - after.col(i);
-        off = std::max(off, by.head<2>().norm() + std::abs(by[2]) * world.shapes().size[i]);
-        free.col(i) += by;
-      }
-      if (off <= tolerance) break;
-    }
-  } while (!world.trajectories.apply_changes(bodies, own));
-  for (BodyIndex i{0}; i < world.bodies(); ++i) after.col(i) = world.trajectories.at_start(i).segment<3>(3);
-  return report;
+  sort_unique(bodies);
 }
 
 }  // namespace
@@ -129,11 +125,13 @@ void RestingContacts::stop_approaches(World& world, double h) {
     if (!prepared_) prepare(world);
     if (worst > 2.0 * (has_large_island() ? options.large_tolerance : options.tolerance)) {
       const auto solve_from = [&](const Eigen::Matrix3Xd& from) { return solve(world, from, options); };
-      report_residual(world,
-                      joints_hold(world, c)
-                          ? stop_with_joints(world, c, before_, options.tolerance, solve_from, free_, after_)
-                          : solve_from(before_),
-                      pressing_.change_by_forces());
+      bodies_.clear();
+      list_moved(world, c, bodies_);
+      const ContactSolverReport report =
+          world.trajectories.is_jointed(bodies_)
+              ? stop_with_joints(world, bodies_, before_, options.tolerance, solve_from, free_, after_)
+              : solve_from(before_);
+      report_residual(world, report, pressing_.change_by_forces(), options.tolerance);
       moved_ = 0.5 * (before_ + after_);
       record_stops(world, c, moved_);
       for (BodyIndex i{0}; i < world.bodies(); ++i) {
@@ -161,17 +159,16 @@ void RestingContacts::push_as_before(World& world) {
   for (int i = 0; i < c.size(); ++i) {
     const Eigen::Vector3d& guess = found_.guess[static_cast<std::size_t>(i)];
     const Vec2 force = guess[0] * c.normal[i] + guess[1] * crossed(c.normal[i]);
+    const double press = std::abs(found_.press[static_cast<std::size_t>(i)]) + turning_press(world, c, i);
     const auto push = [&](BodyIndex body, double sign, const Vec2& arm) {
       flight_.by.col(body).head<2>() += sign * world.mass().inverse_mass[body] * force;
       flight_.by.col(body)[2] += sign * world.mass().inverse_inertia[body] * (cross(arm, force) + guess[2]);
-      flight_.press[body] = std::max(flight_.press[body], std::abs(found_.press[static_cast<std::size_t>(i)]));
-      if (!world.infinite_mass(body)) pushed.push_back(body);
+      flight_.press[body] = std::max(flight_.press[body], press);
     };
     push(c.a[i], -1.0, c.arm_a[i]);
     push(c.b[i], 1.0, c.arm_b[i]);
   }
-  std::sort(pushed.begin(), pushed.end());
-  pushed.erase(std::unique(pushed.begin(), pushed.end()), pushed.end());
+  list_moved(world, c, pushed);
   for (const BodyIndex i : pushed) {
     // What nothing pressed before may be held by its contacts now.
     flight_.press[i] = std::max(flight_.press[i], kHeld * pressing_.acceleration(i));
@@ -228,7 +225,7 @@ void RestingContacts::find_forces(World& world, double h) {
     }
     if (off <= kGuessed * pressing_.change_by_forces()) break;
   }
-  report_residual(world, report, pressing_.change_by_forces());
+  report_residual(world, report, pressing_.change_by_forces(), options.tolerance);
 }
 
 // Replaces the constant forces by linear ones where those are better. Returns for how long their contacts stay
@@ -237,8 +234,10 @@ double RestingContacts::improve_forces(World& world, double h, double least) {
   const int order = choice_of(kIntegrators, world.method.integrator).order;
   if (order == 1) return h;
   const ContactSolverOptions options = solver_options();
-  return linear_.improve(world, h, finder_.neighbours(), options.tolerance, options.slip_speed,
-                         workspace_.islands, least, found_);
+  const double holds = linear_.improve(world, h, finder_.neighbours(), options.tolerance, options.slip_speed,
+                                       workspace_.islands, least, found_);
+  if (has_large_island()) return holds;
+  return std::min(holds, rolling_ends(world, found_.contacts, before_, after_, h, options.slip_speed));
 }
 
 void RestingContacts::remember_forces(double h) {

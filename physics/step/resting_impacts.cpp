@@ -6,6 +6,7 @@
 #include "physics/collision/time_of_impact.h"
 #include "physics/step/apply_impact.h"
 #include "physics/step/coming_to_rest.h"
+#include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 #include "physics/step/resting_contacts.h"
 
@@ -28,10 +29,8 @@ std::optional<LandingTime> RestingContacts::first_landing(World& world, double e
       const Manifold m = manifold_of(shapes, a, shapes.pose(a, world.trajectories.at(a, t).head<3>()), b,
                                      shapes.pose(b, world.trajectories.at(b, t).head<3>()), id,
                                      std::numeric_limits<double>::infinity());
-      for (int k = 0; k < m.count; ++k) {
-        if (m.points[k].id == id) return m.points[k].gap;
-      }
-      return world.shapes().size[a] + world.shapes().size[b];
+      const int k = point_with(m, id);
+      return k >= 0 ? m.points[k].gap : shapes.size[a] + shapes.size[b];
     };
     const double at_start = gap(0.0);
     const double at_end = gap(time);
@@ -45,20 +44,17 @@ std::optional<LandingTime> RestingContacts::first_landing(World& world, double e
 void RestingContacts::land(World& world, const LandingTime& landing) const {
   const auto& [a, b, id] = landing.landing;
   const Geometry& shapes = world.shapes();
-  const Manifold m = manifold_of(shapes, a, shapes.pose(a, world.trajectories.at_start(a).head<3>()), b,
-                                 shapes.pose(b, world.trajectories.at_start(b).head<3>()), id,
+  const Manifold m = manifold_of(shapes, a, pose_at_start(world, a), b, pose_at_start(world, b), id,
                                  std::numeric_limits<double>::infinity());
-  for (int k = 0; k < m.count; ++k) {
-    if (m.points[k].id != id) continue;
-    // The point that has landed, which need not be the deepest.
-    const Contact contact = m.contact(k);
-    const SurfaceLaw& material = world.material(contact, a, b);
-    const double closing = -world.parting_speed(a, b, contact);
-    if (impact_speed(material, closing) >
-        rest_speed(world, a, b, contact.point, contact.normal, material.restitution))
-      apply_impact(world, a, b, contact, material, landing.time);
-    return;
-  }
+  const int k = point_with(m, id);
+  if (k < 0) return;
+  // The point that has landed, which need not be the deepest.
+  const Contact contact = m.contact(k);
+  const SurfaceLaw& material = world.material(contact, a, b);
+  const double closing = -world.parting_speed(a, b, contact);
+  if (impact_speed(material, closing) >
+      rest_speed(world, a, b, contact.point, contact.normal, material.restitution))
+    apply_impact(world, a, b, contact, material, landing.time);
 }
 
 // Where impacts are not located in time, pairs that would meet within the step rebound now by the law of
@@ -67,9 +63,7 @@ void RestingContacts::land(World& world, const LandingTime& landing) const {
 void RestingContacts::strike(World& world, double h) {
   if (found_.hits.empty()) return;
   struck_.assign(static_cast<std::size_t>(world.bodies()), 0);
-  const auto pose = [&](BodyIndex i) {
-    return world.shapes().pose(i, world.trajectories.at_start(i).head<3>());
-  };
+  const auto pose = [&](BodyIndex i) { return pose_at_start(world, i); };
   // Calls visit(contact, closing speed, material) for each two parts that would meet.
   const auto each_hit = [&](BodyIndex a, BodyIndex b, const auto& visit) {
     const bool several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
@@ -137,9 +131,7 @@ void RestingContacts::strike(World& world, double h) {
 // impacts.
 void RestingContacts::rebound_at_end(World& world, const std::vector<BodyPair>& pairs) const {
   const double now = world.clock.step_end - world.trajectories.epoch();
-  const auto pose = [&](BodyIndex i) {
-    return world.shapes().pose(i, world.trajectories.at_start(i).head<3>());
-  };
+  const auto pose = [&](BodyIndex i) { return pose_at_start(world, i); };
   // Of two parts.
   const auto rebound = [&](BodyIndex a, BodyIndex b, const ShapePair& parts) {
     ImpactEffect effect = ImpactEffect::kNone;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "physics/dynamics/lost_motion.h"
+#include "physics/math/vectors.h"
 #include "physics/step/apply_impact.h"
 
 namespace carom {
@@ -63,20 +64,13 @@ ImpactSide World::side(BodyIndex body, const Contact& contact, double towards) c
   const Vec2 r = contact.point - y.head<2>();
   const Vec2& n = contact.normal;
   // The normal of a disc's contact passes through its centre, but for rounding.
-  const double lever = shapes().is_disc(body) ? 0.0 : towards * (r.x() * n.y() - r.y() * n.x());
+  const double lever = shapes().is_disc(body) ? 0.0 : towards * cross(r, n);
   return {y.segment<2>(3),    y[5], mass().inverse_mass[body], mass().inverse_inertia[body],
           towards * r.dot(n), lever};
 }
 
 double World::parting_speed(BodyIndex a, BodyIndex b, const Contact& contact) const {
   return relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
-}
-
-Approach World::approach(BodyIndex a, BodyIndex b, double tolerance) const {
-  const auto ya = trajectories.at_start(a);
-  const auto yb = trajectories.at_start(b);
-  return approach_of(shapes(), a, ya.head<3>(), {ya.segment<2>(3), ya[5]}, b, yb.head<3>(),
-                     {yb.segment<2>(3), yb[5]}, tolerance);
 }
 
 Approach World::approach(BodyIndex a, BodyIndex b, double tolerance, const ShapePair& parts) const {

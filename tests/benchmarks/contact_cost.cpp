@@ -114,7 +114,8 @@ void searches(ShapeKind a, ShapeKind b, double spin) {
   const double ns = cost(kPairs, [&](int i) {
     const Path& path = paths[static_cast<std::size_t>(i)];
     const auto counted = [&](double t) { return ++samples, path(t); };
-    const TurningPair pair(s, ShapeIndex{2 * i}, still, ShapeIndex{2 * i + 1}, counted, 9.81);
+    const TurningPair pair(s, ShapeIndex{2 * i}, still, ShapeIndex{2 * i + 1}, counted, 9.81, 0.0,
+                           path.v[2] * path.v[2]);
     const TurningSample first = pair(0.0);
     if (first.gap <= 0.0) return 0.0;
     const auto time =

@@ -1,8 +1,10 @@
 // Prints what a change affects, one path a line.
 //   carom_affected sources|tests FILE ...
 // sources: the source files to check again: those among FILE, and those that include one of FILE, directly or
-// not. tests:   the files of tests to run again (see IncludeGraph::tests). Paths are relative to the top of the
-// sources, as git prints them; what is gone is left out.
+//   not.
+// tests: the files of tests to run again (see IncludeGraph::tests).
+//
+// Paths are relative to the top of the sources, as git prints them; what is gone is left out.
 #include <cstdio>
 #include <string_view>
 

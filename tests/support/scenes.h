@@ -22,6 +22,22 @@ inline Body disc(const std::string& name, Vec2 position, Vec2 velocity, double r
   return b;
 }
 
+inline Body box(const std::string& name, Vec2 position, Vec2 velocity, double width, double height,
+                double mass = 1.0) {
+  Body b = disc(name, position, velocity, 0.1, mass);
+  b.shape = Box{width, height};
+  return b;
+}
+
+inline Body fixed(const std::string& name, const Shape& shape, Vec2 position) {
+  Body b;
+  b.name = name;
+  b.shape = shape;
+  b.position = position;
+  b.fixed = true;
+  return b;
+}
+
 inline Body wall(const std::string& name, Vec2 position, double width, double height, double angle = 0.0) {
   Body b;
   b.name = name;
@@ -30,6 +46,15 @@ inline Body wall(const std::string& name, Vec2 position, double width, double he
   b.angle = angle;
   b.fixed = true;
   return b;
+}
+
+// From the centre of one body to that of another.
+inline Joint joint_between(JointKind kind, const std::string& body, const std::string& to) {
+  Joint j;
+  j.kind = kind;
+  j.body = body;
+  j.to = to;
+  return j;
 }
 
 // A scene whose default material is the given one.

@@ -35,16 +35,20 @@ struct Flight {
   [[nodiscard]] double curvature() const {
     double sum = path_curvature();
     for (int i = 0; i < 2; ++i) {
-      const double spin =
-          std::max(std::abs(path[i].v[2]), std::abs(path[i].v[2] + until * path[i].acceleration[2]));
       if (shapes.core[ShapeIndex{i}] != Core::kHalfPlane) {
-        sum += turning_curvature(shapes.core_radius[ShapeIndex{i}], spin, path[i].acceleration[2]);
+        sum += turning_curvature(shapes.core_radius[ShapeIndex{i}], fastest_spin(i), path[i].acceleration[2]);
       }
     }
     return sum;
   }
+  [[nodiscard]] double fastest_spin(int i) const {
+    return std::max(std::abs(path[i].v[2]), std::abs(path[i].v[2] + until * path[i].acceleration[2]));
+  }
+  [[nodiscard]] double turn(int i) const {
+    return fastest_spin(i) * fastest_spin(i) + std::abs(path[i].acceleration[2]);
+  }
   [[nodiscard]] TurningPair<Path, Path> sampler() const {
-    return {shapes, kFirst, path[0], kSecond, path[1], path_curvature()};
+    return {shapes, kFirst, path[0], kSecond, path[1], path_curvature(), turn(0), turn(1)};
   }
 };
 

@@ -396,5 +396,51 @@ TEST(CompoundBodies, ACrowdStaysInItsBox) {
   EXPECT_LT(run.totals().energy(), before);
 }
 
+// Two feet of one body that land together, each with its own restitution, e = 0.2 at ±0.4 and ±0.2 to one side
+// and 0.8 to the other: the outer end of the one and the inner end of the other rebound as their laws say, and
+// nothing hangs on the order in the file.
+TEST(CompoundBodies, FeetLandTogetherEachWithItsOwnSurface) {
+  for (const bool swapped : {false, true}) {
+    for (const double side : {1.0, -1.0}) {
+      PlacedShape dull = placed(Box{0.2, 0.2}, {-0.3 * side, 0.0});
+      PlacedShape lively = placed(Box{0.2, 0.2}, {0.3 * side, 0.0});
+      dull.material = "dull";
+      lively.material = "lively";
+      if (swapped) std::swap(dull, lively);
+      Body table = test::disc("table", {0.0, 0.2}, {0.0, -3.0});
+      table.shape = Compound{{dull, lively, placed(Box{0.8, 0.1}, {0.0, 0.15})}};
+      RunSetup s = test::setup_with({test::fixed("floor", Wall{}, {0.0, 0.0}), table}, 1.0);
+      for (const auto& [name, restitution] : {std::pair("dull", 0.2), std::pair("lively", 0.8)}) {
+        s.scene.materials.push_back(s.scene.materials.front());
+        s.scene.materials.back().name = name;
+        s.scene.materials.back().restitution = restitution;
+      }
+      s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, 0.005};
+      Simulation run(s);
+      run.advance_to(0.05);
+      EXPECT_NEAR(run.state().v(2, 1), side * 3.0, 1e-12) << swapped;
+      EXPECT_NEAR(run.state().velocity(1).y(), 0.6 * 3.0, 1e-12) << swapped;
+    }
+  }
+}
+
+// Two shapes of one body that run off a face at one moment, on the way to being lost once.
+TEST(CompoundBodies, ABoxAndAnLOfTwoShapesPartWhole) {
+  for (const double step : {1.0 / 60.0, 0.014, 0.01, 0.008, 0.005, 0.0025, 0.001}) {
+    Body bracket = test::disc("bracket", {1.0, 0.4957389895097659}, {-3.0, 0.0});
+    bracket.shape = Polygon{{{0.0, 0.0}, {0.4, 0.0}, {0.4, 0.1}, {0.1, 0.1}, {0.1, 0.4}, {0.0, 0.4}}};
+    bracket.angle = 4.359459046489495;
+    RunSetup s = test::setup_with({test::box("box", {0.0, 0.6}, {0.0, 0.0}, 0.4, 0.2), bracket}, 0.0);
+    s.scene.bodies[0].angle = 0.803593347473631;
+    s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+    Simulation run(s);
+    run.advance_to(1.0);
+    EXPECT_EQ(run.status(), "ok") << step;
+    EXPECT_NEAR(run.ledger().numerical_drift(run.totals().energy()), 0.0, 1e-5) << step;
+    EXPECT_NEAR(run.ledger().angular_momentum_drift(run.totals().angular_momentum), 0.0, 1e-5) << step;
+    EXPECT_NEAR(run.state().velocity(0).x(), -1.29, 0.02) << step;
+  }
+}
+
 }  // namespace
 }  // namespace carom

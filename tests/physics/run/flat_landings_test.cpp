@@ -11,13 +11,9 @@
 namespace carom {
 namespace {
 
-constexpr double kG = 9.81;
+using test::box;
 
-Body box(const std::string& name, const Vec2& at, const Vec2& velocity, double width, double height) {
-  Body b = test::disc(name, at, velocity);
-  b.shape = Box{width, height};
-  return b;
-}
+constexpr double kG = 9.81;
 
 template <class Check>
 void for_every_way(const Check& check) {

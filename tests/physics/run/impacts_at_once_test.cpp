@@ -316,5 +316,28 @@ TEST(ImpactsAtOnce, SaysWhereTheOrderDecides) {
   }
 }
 
+// A box lands flat on two floors side by side: each end rebounds with its own e, in both orders of the file.
+TEST(ImpactsAtOnce, ABoxLandsFlatOnTwoFloorsThatDiffer) {
+  for (const bool swapped : {false, true}) {
+    std::vector<Body> floors = {test::fixed("dull", Box{2.0, 1.0}, {-1.0, -0.5}),
+                                test::fixed("lively", Box{2.0, 1.0}, {1.0, -0.5})};
+    RunSetup s = test::setup_with({}, 1.0);
+    for (const auto& [name, restitution] : {std::pair("dull", 0.2), std::pair("lively", 0.8)}) {
+      s.scene.materials.push_back(s.scene.materials.front());
+      s.scene.materials.back().name = name;
+      s.scene.materials.back().restitution = restitution;
+    }
+    for (Body& floor : floors) floor.material = floor.name;
+    if (swapped) std::swap(floors[0], floors[1]);
+    s.scene.bodies = floors;
+    s.scene.bodies.push_back(test::box("box", {0.0, 0.35}, {0.0, -2.0}, 0.8, 0.2));
+    s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, 0.005};
+    Simulation run(s);
+    run.advance_to(0.126);
+    EXPECT_NEAR(run.state().velocity(2).y(), 1.0, 1e-12) << swapped;
+    EXPECT_NEAR(run.state().v(2, 2), 0.6 * 2.0 / 0.8, 1e-12) << swapped;
+  }
+}
+
 }  // namespace
 }  // namespace carom

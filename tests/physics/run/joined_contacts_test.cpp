@@ -14,38 +14,19 @@
 namespace carom {
 namespace {
 
+using test::box;
+using test::fixed;
+using test::joint_between;
+
 constexpr double kGravity = 9.81;  // m/s²
 constexpr double kSteps[] = {1.0 / 60.0, 0.007, 1.0 / 240.0, 0.001};
 
-Body box(const std::string& name, const Vec2& position, const Vec2& velocity, double width, double height,
-         double mass = 1.0) {
-  Body b = test::disc(name, position, velocity, 0.1, mass);
-  b.shape = Box{width, height};
-  return b;
-}
-
-Body floor_at_zero() {
-  Body b;
-  b.name = "floor";
-  b.shape = Wall{};
-  b.fixed = true;
-  return b;
-}
-
 RunSetup setup(const std::vector<Body>& bodies, double friction, double step) {
   RunSetup s = test::setup_with(bodies, 0.0, friction);
-  s.scene.bodies.insert(s.scene.bodies.begin(), floor_at_zero());
+  s.scene.bodies.insert(s.scene.bodies.begin(), fixed("floor", Wall{}, {0.0, 0.0}));
   s.scene.forces.gravity = {0.0, -kGravity};
   s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
   return s;
-}
-
-Joint joint(JointKind kind, const std::string& body, const std::string& to) {
-  Joint j;
-  j.kind = kind;
-  j.body = body;
-  j.to = to;
-  return j;
 }
 
 // Surfaces that stick, but not to the floor.
@@ -78,7 +59,7 @@ TEST(JoinedContacts, AStringThatGoesTautJerksABoxOnTheFloor) {
       RunSetup s = setup(
           {box("first", {0.0, 0.1}, {2.0, 0.0}, 0.2, 0.2), box("second", {-0.5, 0.1}, {0.0, 0.0}, 0.2, 0.2)},
           kFriction, step);
-      s.scene.joints = {joint(JointKind::kString, "first", "second")};
+      s.scene.joints = {joint_between(JointKind::kString, "first", "second")};
       s.scene.joints[0].length = 0.5 + kSlack;
       s.method.integrator = integrator;
       Simulation run(s);
@@ -101,7 +82,7 @@ TEST(JoinedContacts, AStringHoistsABoxOffTheFloor) {
         {box("box", {0.0, 0.1}, {0.0, 0.0}, 0.2, 0.2, 2.0), test::disc("hook", {0.0, 0.5}, {0.0, 0.0}, 0.02)},
         0.3, step);
     s.scene.bodies[2].drive = Drive{.velocity = {0.0, kSpeed}};
-    s.scene.joints = {joint(JointKind::kString, "box", "hook")};
+    s.scene.joints = {joint_between(JointKind::kString, "box", "hook")};
     s.scene.joints[0].length = 0.513;
     Simulation run(s);
     run.advance_to(0.8);
@@ -163,7 +144,7 @@ TEST(JoinedContacts, WeldedBoxesLandOnADiscAsOneBody) {
       setup({test::disc("disc", {0.0, 0.1}, {0.0, 0.0}, 0.1, 0.7),
              box("left", {0.02, 0.45}, {0.0, 0.0}, 0.2, 0.1), box("right", {0.22, 0.45}, {0.0, 0.0}, 0.2, 0.1)},
             0.0, 0.001);
-  Joint weld = joint(JointKind::kWeld, "right", "left");
+  Joint weld = joint_between(JointKind::kWeld, "right", "left");
   weld.point = {-0.1, 0.0};
   weld.anchor = {0.1, 0.0};
   s.scene.joints = {weld};
@@ -179,7 +160,7 @@ TEST(JoinedContacts, ABobThatLandsOnABlockStays) {
     RunSetup s = setup(
         {box("block", {0.0, 0.1}, {0.0, 0.0}, 0.4, 0.2, 2.0), test::disc("bob", {0.0, 0.5}, {0.0, 0.0}, 0.1)},
         0.0, step);
-    s.scene.joints = {joint(JointKind::kRod, "bob", "")};
+    s.scene.joints = {joint_between(JointKind::kRod, "bob", "")};
     s.scene.joints[0].anchor = {-1.0, 0.5};
     Simulation run(s);
     run.advance_to(0.4);
@@ -196,11 +177,11 @@ TEST(JoinedContacts, WhatPassesWithoutTouchingIsNotHit) {
     for (const double step : kSteps) {
       RunSetup swings = setup({test::disc("bob", {-1.0, 0.0}, {0.0, 0.0})}, 0.0, step);
       swings.scene.materials.front().restitution = 1.0;
-      swings.scene.joints = {joint(JointKind::kRod, "bob", "")};
+      swings.scene.joints = {joint_between(JointKind::kRod, "bob", "")};
       swings.scene.bodies[0].position = {0.0, -1.101};
       RunSetup turns = swings;
       turns.scene.bodies[1] = box("bar", {0.5, 0.0}, {0.0, 0.0}, 1.0, 0.1);
-      turns.scene.joints = {joint(JointKind::kPin, "bar", "")};
+      turns.scene.joints = {joint_between(JointKind::kPin, "bar", "")};
       turns.scene.joints[0].point = {-0.5, 0.0};
       turns.scene.bodies[0].position.y() = -std::hypot(1.0, 0.05) - 1e-4;
       RunSetup rises = swings;

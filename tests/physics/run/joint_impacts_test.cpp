@@ -13,6 +13,7 @@ namespace carom {
 namespace {
 
 using test::disc;
+using test::joint_between;
 using test::setup_with;
 
 constexpr double kGravity = 9.81;
@@ -22,14 +23,6 @@ Joint joint(JointKind kind, const std::string& body, const Vec2& anchor) {
   l.kind = kind;
   l.body = body;
   l.anchor = anchor;
-  return l;
-}
-
-Joint between(JointKind kind, const std::string& body, const std::string& to) {
-  Joint l;
-  l.kind = kind;
-  l.body = body;
-  l.to = to;
   return l;
 }
 
@@ -70,7 +63,7 @@ TEST(JointImpacts, DiscHitsABob) {
 TEST(JointImpacts, DumbbellAnswersAsOne) {
   RunSetup s = setup_with({disc("a", {-0.25, 0}, {2.0, 0}, 0.1, 1.0), disc("b", {0, 0}, {0, 0}, 0.1, 2.0),
                            disc("c", {1, 0}, {0, 0}, 0.1, 3.0)});
-  s.scene.joints = {between(JointKind::kRod, "b", "c")};
+  s.scene.joints = {joint_between(JointKind::kRod, "b", "c")};
   s.method.step = 0.1;
   Simulation run(s);
   run.advance_to(0.1);
@@ -135,8 +128,8 @@ TEST(JointImpacts, RandomChainsKeepTheLaws) {
                                       Vec2(c == 0 ? -0.4 : 0.4, 0.5 * i - 0.5 + between_numbers(-0.1, 0.1)),
                                       drift, between_numbers(0.1, 0.2), between_numbers(0.2, 2.0)));
         if (i == 0) continue;
-        s.scene.joints.push_back(between(seed % 5 == 0 ? JointKind::kString : JointKind::kRod, name,
-                                         fmt::format("c{}-{}", c, i - 1)));
+        s.scene.joints.push_back(joint_between(seed % 5 == 0 ? JointKind::kString : JointKind::kRod, name,
+                                               fmt::format("c{}-{}", c, i - 1)));
         s.scene.joints.back().point = {between_numbers(-0.1, 0.1), between_numbers(-0.1, 0.1)};
       }
     }
@@ -156,7 +149,7 @@ TEST(JointImpacts, PinnedBodiesDontCollide) {
   for (const auto& impacts : kImpacts) {
     RunSetup s = setup_with({disc("a", {0, 0}, {0, 0}, 0.3), disc("b", {0.3, 0}, {0, 0}, 0.3)});
     s.scene.bodies[1].spin = 2.0;
-    s.scene.joints = {between(JointKind::kPin, "b", "a")};
+    s.scene.joints = {joint_between(JointKind::kPin, "b", "a")};
     s.scene.joints[0].anchor = {0.3, 0.0};
     s.method.impacts = impacts.id;
     Simulation run(s);
@@ -250,7 +243,7 @@ TEST(Strings, GoesSlackWhereTheTensionEnds) {
 TEST(Strings, JoinTwoBodies) {
   for (const auto& impacts : kImpacts) {
     RunSetup s = setup_with({disc("a", {0, 0}, {-1.0, 0}, 0.1, 1.0), disc("b", {1, 0}, {2.0, 0}, 0.1, 2.0)});
-    s.scene.joints = {between(JointKind::kString, "a", "b")};
+    s.scene.joints = {joint_between(JointKind::kString, "a", "b")};
     s.scene.joints[0].length = 2.0;
     s.method.impacts = impacts.id;
     s.method.step = 0.01;
@@ -284,7 +277,7 @@ TEST(Strings, OnlyPullInAnImpact) {
 TEST(Strings, HoldWhatHangs) {
   RunSetup s = setup_with({disc("d", {0.3, -0.4}, {0, 0}, 0.1, 2.0), disc("e", {0.3, -0.9}, {0, 0}, 0.1, 1.0)});
   s.scene.forces.gravity = {0.0, -kGravity};
-  s.scene.joints = {joint(JointKind::kString, "d", {0.3, 0.0}), between(JointKind::kString, "e", "d")};
+  s.scene.joints = {joint(JointKind::kString, "d", {0.3, 0.0}), joint_between(JointKind::kString, "e", "d")};
   s.method.step = 0.01;
   Simulation run(s);
   run.advance_to(10.0);

@@ -19,6 +19,7 @@
 namespace carom {
 namespace {
 
+using test::box;
 using test::disc;
 using test::Draws;
 using test::setup_with;
@@ -28,13 +29,6 @@ RunSetup clay(std::vector<Body> bodies) {
   RunSetup s = setup_with(std::move(bodies));
   s.scene.materials[0].sticks = true;
   return s;
-}
-
-Body box(const std::string& name, const Vec2& position, const Vec2& velocity, double width, double height,
-         double mass) {
-  Body b = disc(name, position, velocity, 0.1, mass);
-  b.shape = Box{width, height};
-  return b;
 }
 
 Joint pin_to_plane(const std::string& body, const Vec2& point, const Vec2& anchor) {

@@ -326,5 +326,25 @@ TEST(TurningContacts, AFreeClusterKeepsItsAngularMomentum) {
   }
 }
 
+// After an inelastic hit two free boxes slide and turn along each other until they part: nothing presses them
+// but their own turning.
+TEST(TurningContacts, FreeBoxesThatSlideAndTurnHaveTheIntegratorsOrder) {
+  const auto spin = [](double step) {
+    RunSetup s = test::setup_with({test::box("first", {-1.0, 0.0}, {2.0, 0.0}, 0.4, 0.2),
+                                   test::box("second", {0.0, 0.17975818923729742}, {0.0, 0.0}, 0.4, 0.2)},
+                                  0.0);
+    s.scene.bodies[0].angle = 0.4948195629497427;
+    s.scene.bodies[1].angle = 0.044177047429320826;
+    s.method = method(IntegratorId::kRk4, ImpactsId::kLocated, step);
+    Simulation run(s);
+    run.advance_to(1.5);
+    return run.state().v(2, 0);
+  };
+  const double exact = spin(2.5e-4);
+  EXPECT_NEAR(exact, -1.1429020, 1e-7);
+  EXPECT_NEAR(spin(0.005), exact, 1e-7);
+  EXPECT_NEAR(spin(0.0025), exact, 1e-8);
+}
+
 }  // namespace
 }  // namespace carom

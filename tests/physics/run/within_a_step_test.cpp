@@ -13,17 +13,10 @@
 namespace carom {
 namespace {
 
+using test::fixed;
+
 constexpr double kGravity = 9.81;  // m/s²
 constexpr double kSteps[] = {1.0 / 60.0, 0.008, 0.005, 1.0 / 240.0};
-
-Body fixed(const std::string& name, const Shape& shape, const Vec2& position) {
-  Body b;
-  b.name = name;
-  b.shape = shape;
-  b.position = position;
-  b.fixed = true;
-  return b;
-}
 
 RunSetup setup(double restitution, double friction, double step) {
   RunSetup s = test::setup_with({}, restitution, friction);
@@ -181,6 +174,37 @@ TEST(WithinAStep, ABlockTurnsBackOnASlopeWhereItStops) {
   }
 }
 
+// A disc rolls up a slope with rolling resistance c, which brakes it on the way up and on the way down: it
+// turns back where it stops, also within a step. a = 2 g (sin ± c cos)/3.
+TEST(WithinAStep, ADiscWithRollingResistanceTurnsBackWhereItStops) {
+  constexpr double kSlope = 0.3;  // rad
+  constexpr double kRolling = 0.05;
+  for (const IntegratorId integrator :
+       {IntegratorId::kVelocityVerlet, IntegratorId::kRk4, IntegratorId::kExactFlight}) {
+    for (const double step : kSteps) {
+      RunSetup s = setup(0.0, 0.5, step);
+      s.method.integrator = integrator;
+      s.scene.materials.front().rolling_resistance = kRolling;
+      s.scene.bodies = {fixed("floor", Wall{}, {0.0, 0.0}), test::disc("disc", {0.0, 0.1}, {2.0, 0.0})};
+      s.scene.bodies[1].spin = -20.0;
+      turn(s, kSlope);
+      s.scene.forces.gravity = {0.0, -kGravity};
+      Simulation run(s);
+      run.advance_to(1.5);
+      const auto slows = [](double sign) {
+        return 2.0 / 3.0 * kGravity * (std::sin(kSlope) + sign * kRolling * std::cos(kSlope));
+      };
+      const double stops = 2.0 / slows(1.0);
+      EXPECT_NEAR(turned_by(-kSlope, run.state().velocity(1)).x(), -slows(-1.0) * (1.5 - stops), 1e-7) << step;
+      EXPECT_NEAR(run.ledger().lost_to_rolling,
+                  kRolling * kGravity * std::cos(kSlope) *
+                      (2.0 / slows(1.0) + 0.5 * slows(-1.0) * (1.5 - stops) * (1.5 - stops)),
+                  1e-6)
+          << step;
+    }
+  }
+}
+
 // A box of two squares bounces flat on two tiles; each square ends where the other one's tile begins, and
 // passes that edge flush. A box falls along a wall that it touches. Nothing is said of forces that change fast.
 TEST(WithinAStep, FacesThatPassFlushOnCurvedPathsAreClear) {
@@ -255,14 +279,34 @@ TEST(WithinAStep, TwoSquaresLandFlatOnTwoThinWalls) {
 TEST(WithinAStep, ABoxThatHitsAKerbMissesNoImpacts) {
   for (const double step : kSteps) {
     RunSetup s = setup(0.0, 0.5, step);
-    Body block = test::disc("block", {0.0, 0.2}, {3.0, 0.0});
-    block.shape = Box{0.4, 0.4};
-    s.scene.bodies = {fixed("floor", Wall{}, {0.0, 0.0}), fixed("kerb", Box{1.0, 0.05}, {1.0, 0.025}), block};
+    s.scene.bodies = {fixed("floor", Wall{}, {0.0, 0.0}), fixed("kerb", Box{1.0, 0.05}, {1.0, 0.025}),
+                      test::box("block", {0.0, 0.2}, {3.0, 0.0}, 0.4, 0.4)};
     Simulation run(s);
     run.advance_to(0.4);
     EXPECT_EQ(run.status(), "ok") << step;
     EXPECT_EQ(run.impact_count(), 1) << step;
     EXPECT_NEAR(run.state().q(2, 2), -0.51242, 2e-5) << step;
+  }
+}
+
+// Boxes that hit each other at an angle part slowly while their faces turn: along a fixed normal the far end of
+// a face comes near, and the search for the next hit would have to look very often.
+TEST(WithinAStep, FacesThatTurnApartMissNoImpacts) {
+  for (const double restitution : {0.0, 0.1, 0.5}) {
+    for (const double angle : {0.456, 0.1, 1.2}) {
+      for (const double step : kSteps) {
+        RunSetup s = setup(restitution, 0.0, step);
+        s.scene.forces.gravity.setZero();
+        s.scene.bodies = {test::box("first", {-1.0, 0.0}, {2.0, 0.0}, 0.4, 0.2),
+                          test::box("second", {0.0, 0.179}, {0.0, 0.0}, 0.4, 0.2)};
+        s.scene.bodies[0].angle = angle;
+        s.scene.bodies[1].angle = -0.443;
+        Simulation run(s);
+        run.advance_to(1.5);
+        EXPECT_EQ(run.status(), "ok") << restitution << ' ' << angle << ' ' << step;
+        EXPECT_GT(run.impact_count(), 0);
+      }
+    }
   }
 }
 

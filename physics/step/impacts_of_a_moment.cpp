@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "physics/collision/pair_contact.h"
+#include "physics/math/sort_unique.h"
 #include "physics/step/event_driven_impacts.h"
+#include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 
 // Impacts of several pairs at one time.
@@ -13,8 +15,6 @@ namespace carom {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// Relative to the sizes: points touch together if their gaps differ by less.
-constexpr double kTogether = 1e-9;
 // Times the rounding of a gap and of a time: impacts that are nearer in time are at one time.
 constexpr double kRoundings = 16.0;
 // Work of the law for several contacts in a step, of a problem with n unknowns n³, and impacts of one moment:
@@ -137,7 +137,7 @@ void EventDrivenImpacts::find_closing(const Step& step, BodyIndex a, BodyIndex b
     find_due(step, a, b, time);
   }
   cluster_.keep_closing(world, a, b, [&](BodyIndex i) { return motion_at(world.trajectories, i, time); });
-  if (!cluster_.has_several_pairs() || cluster_.touches().size() > 2 * kMostTogether) {
+  if (!cluster_.has_several(world) || cluster_.touches().size() > 2 * kMostTogether) {
     cluster_.clear();
   } else if (!cluster_.has_law(world)) {
     world.note(&Notices::order_decided_since, world.trajectories.epoch() + time, {a, b});
@@ -152,12 +152,13 @@ void EventDrivenImpacts::find_due(const Step& step, BodyIndex a, BodyIndex b, do
   for (const Event& event : moment_) {
     if (!is_stale(event)) due_.emplace_back(std::min(event.a, event.b), std::max(event.a, event.b));
   }
-  if (due_.empty()) return;
+  // Shapes of one body may land together, each with its own surface.
+  const bool may_be_several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
+  if (due_.empty() && !may_be_several) return;
   due_.emplace_back(std::min(a, b), std::max(a, b));
   keep_connected(world, a, b, due_);
-  if (due_.size() < 2 || due_.size() > kMostTogether) return;
-  std::sort(due_.begin(), due_.end());
-  due_.erase(std::unique(due_.begin(), due_.end()), due_.end());
+  if ((due_.size() < 2 && !may_be_several) || due_.size() > kMostTogether) return;
+  sort_unique(due_);
   for (const auto& [c, d] : due_) {
     near_.clear();
     if (may_be_continued(world, c, d))
