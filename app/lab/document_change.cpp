@@ -242,6 +242,39 @@ void take_motion(const Body& was, const Body& is, Body& start) {
   start.spin = changed(was.spin, is.spin, start.spin);
 }
 
+// The id of the surface that the start has by this name already: it was added at a later moment than the one
+// that is edited now.
+template <class T>
+Id<T> id_of_known(const Scene&, const T&) {
+  return {};
+}
+Id<Material> id_of_known(const Scene& start, const Material& part) {
+  const auto same = [&](const Material& known) { return known.name == part.name; };
+  const auto known = std::find_if(start.materials.begin(), start.materials.end(), same);
+  return known == start.materials.end() ? Id<Material>{} : known->id;
+}
+Id<MaterialPair> id_of_known(const Scene& start, const MaterialPair& part) {
+  const auto same = [&](const MaterialPair& known) {
+    return std::minmax(known.a, known.b) == std::minmax(part.a, part.b);
+  };
+  const auto known = std::find_if(start.pairs.begin(), start.pairs.end(), same);
+  return known == start.pairs.end() ? Id<MaterialPair>{} : known->id;
+}
+
+// What the start has already is replaced there, not added.
+SceneEdits with_known_parts(const Scene& start, SceneEdits edits) {
+  for (SceneEdit& edit : edits) {
+    if (const auto* material = std::get_if<Add<Material>>(&edit)) {
+      if (part_of(start.materials, material->part.id) != nullptr)
+        edit = SceneEdit(Replace<Material>{Material(material->part)});
+    } else if (const auto* pair = std::get_if<Add<MaterialPair>>(&edit)) {
+      if (part_of(start.pairs, pair->part.id) != nullptr)
+        edit = SceneEdit(Replace<MaterialPair>{MaterialPair(pair->part)});
+    }
+  }
+  return edits;
+}
+
 }  // namespace
 
 DocumentChange apply_change(Document& document, const DocumentChange& change) {
@@ -354,11 +387,11 @@ SceneEdits moved_to(const std::vector<Body>& now, const SceneEdits& edits, const
 }
 
 SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits) {
-  return with_motion_of(all_bodies(preset), edits);
+  return with_known_parts(preset.scene, with_motion_of(all_bodies(preset), edits));
 }
 
 SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits, const Scene& moment) {
-  return moved_to(all_bodies(preset), edits, moment);
+  return with_known_parts(preset.scene, moved_to(all_bodies(preset), edits, moment));
 }
 
 void give_ids(Preset& preset) {
@@ -374,8 +407,9 @@ void number_new_parts(const Scene& start, SceneEdits& edits) {
   std::uint32_t given = start.ids_given;
   for (SceneEdit& edit : edits) {
     std::visit(
-        [&given](auto& e) {
+        [&](auto& e) {
           if constexpr (requires { e.at; }) {
+            if (e.part.id.number == 0) e.part.id = id_of_known(start, e.part);
             if (e.part.id.number == 0) e.part.id.number = ++given;
           }
         },

@@ -54,7 +54,7 @@ void LabWindow::make_file_menu() {
   });
   add("save", tr("&Save"), QKeySequence::Save, [this] { save(); });
   add("", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { files_->save_as(); });
-  add("", tr("Save the &run as it stands..."), QKeySequence(), [this] { exports_->save_run(); });
+  add("", tr("Save the r&un as it stands..."), QKeySequence(), [this] { exports_->save_run(); });
   file->addSeparator();
   add("", tr("Save the &picture of the scene..."), QKeySequence(), [this] { exports_->save_scene_picture(); });
   add("", tr("&Copy the picture of the scene"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
@@ -99,8 +99,18 @@ void LabWindow::make_edit_menu() {
     all->setEnabled(view_->takes(Qt::Key_A, Qt::ControlModifier));
   });
   edit->addSeparator();
-  add(tr("&Join into one body"), QKeySequence(Qt::CTRL | Qt::Key_G), [this] { join_selection(); });
-  add(tr("Take &apart"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G), [this] { take_selection_apart(); });
+  QAction* join =
+      add(tr("&Join into one body"), QKeySequence(Qt::CTRL | Qt::Key_G), [this] { join_selection(); });
+  QAction* apart = add(tr("Take &apart"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G),
+                       [this] { take_selection_apart(); });
+  connect(edit, &QMenu::aboutToShow, this, [this, join, apart] {
+    join->setEnabled(view_->selection().size() > 1);
+    apart->setEnabled(view_->selection().size() == 1);
+  });
+  connect(edit, &QMenu::aboutToHide, this, [join, apart] {
+    join->setEnabled(true);
+    apart->setEnabled(true);
+  });
   QMenu* align = add_align_menu(edit);
   connect(edit, &QMenu::aboutToShow, align, [this, align] { align->setEnabled(view_->can_align()); });
   QAction* touch = add(tr("Put in touc&h") + "\tK", {}, [this] { view_->press_key(Qt::Key_K); });
@@ -273,7 +283,7 @@ void LabWindow::make_run_menus() {
   add_action(run, "", tr("S&tart of the record"), QKeySequence(Qt::Key_Home),
              [this] { session_.runs().go_to_start(); });
   add_action(run, "", tr("&End of the record"), QKeySequence(Qt::Key_End),
-             [this] { session_.runs().go_to_end(); });
+             [this] { session_.runs().show_end(); });
   QAction* go_on = add_action(run, "", tr("&Go on from here"), QKeySequence(Qt::Key_G),
                               [this] { session_.go_on_from_here(); });
   go_on->setToolTip(tr("What comes after the shown moment is dropped; undo brings it back"));

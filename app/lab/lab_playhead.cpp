@@ -34,6 +34,15 @@ void LabRuns::go_to_end() {
   leave_past();
 }
 
+void LabRuns::show_end() {
+  if (has_record() && !frames_.front()->playing && !recorders_.front()->met().empty()) {
+    const MetStop& last = recorders_.front()->met().back();
+    const double passed = frames_.front()->time - last.step_start;
+    if (last.part > 0.0 && passed <= (1.0 + kSameMoment) * frames_.front()->method.step) return show_stop(last);
+  }
+  go_to_end();
+}
+
 void LabRuns::leave_past() {
   if (!std::exchange(playhead_, std::nullopt)) return;
   for (std::size_t i = 0; i < frames_.size(); ++i) frames_[i] = with_impacts(*frames_[i], i);

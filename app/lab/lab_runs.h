@@ -52,6 +52,8 @@ class LabRuns : public QObject {
   void go_to(double time);  // s; at or after the newest moment: there
   void go_to_start();
   void go_to_end();
+  // The newest moment, or that of the stop that ended the run within the newest step.
+  void show_end();
   void go_to_impact(double time);   // s: just before this impact, or the end of its step where it is there
   void go_by_impact(bool forward);  // to the next impact, or the last one; else to the end, or the start
   void step_by(int steps);          // from what is shown; forward at the newest moment: a new step

@@ -10,6 +10,7 @@
 
 #include "app/lab/lab_window.h"
 #include "physics/observe/observables.h"
+#include "widgets/base/method_names.h"
 #include "widgets/base/number_text.h"
 #include "widgets/edit/inspected_parts.h"
 #include "widgets/plot/plot_panel.h"
@@ -134,7 +135,7 @@ void LabWindow::add_plots_of(QMenu& menu, const std::string& body) {
     if (each.topic != Topic::kBody || each.bodies != 1) continue;
     Plot plot;
     plot.y = {{std::string(each.name), {body}}};
-    const QString label = QString::fromUtf8(each.label.data(), static_cast<qsizetype>(each.label.size()));
+    const QString label = text_of(each.label);
     connect(plots->addAction(label), &QAction::triggered, this, [this, plot] { show_new_plot(plot); });
   }
 }

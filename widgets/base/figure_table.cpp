@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QMetaMethod>
 #include <QPainter>
+#include <QTimer>
 #include <algorithm>
 
 #include "physics/files/csv.h"
@@ -154,6 +155,20 @@ FigureTable::FigureTable(FigureModel* model, QWidget* parent) : KeptTable(parent
   horizontalHeader()->setMinimumSectionSize(0);
   connect(model, &QAbstractItemModel::modelReset, this, &FigureTable::share_width);
   connect(model, &QAbstractItemModel::rowsInserted, this, &FigureTable::share_width);
+  // Columns grow with their figures, but not at every frame.
+  constexpr int kGrowsAfter = 100;  // ms
+  auto* grows = new QTimer(this);
+  grows->setSingleShot(true);
+  grows->setInterval(kGrowsAfter);
+  connect(model, &QAbstractItemModel::dataChanged, grows, [grows] {
+    if (!grows->isActive()) grows->start();
+  });
+  connect(grows, &QTimer::timeout, this, [this] {
+    if (!isVisible()) return;
+    for (int c = 0; c < model_->columnCount(); ++c) {
+      if (!model_->is_text(c) && least_width(c) > columnWidth(c)) return share_width();
+    }
+  });
 }
 
 QString spreadsheet_text(const FigureModel::Cell& cell, char separator) {

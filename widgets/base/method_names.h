@@ -8,7 +8,7 @@
 
 namespace carom {
 
-// A text from the tables of methods.
+// A UTF-8 text of the tables: names, labels, units.
 [[nodiscard]] inline QString text_of(std::string_view s) {
   return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
 }

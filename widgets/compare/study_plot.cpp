@@ -9,6 +9,7 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/study/study_table.h"
 #include "widgets/base/method_look.h"
+#include "widgets/base/method_names.h"
 #include "widgets/compare/error_plot.h"
 #include "widgets/plot/plot_render.h"
 #include "widgets/print/picture_file.h"
@@ -89,9 +90,8 @@ void draw_orders(QPainter& painter, const QRectF& where, const std::vector<Study
     painter.drawRoundedRect(QRectF(where.left(), y + kRow / 2 - 9, 5, 18), 2, 2);
     painter.setBrush(Qt::NoBrush);
     draw_text(painter, {where.left() + 13, y, first - where.left() - 15, kRow},
-              Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
-              QString::fromUtf8(integrator.label.data(), static_cast<qsizetype>(integrator.label.size())),
-              font_of(12), theme.text);
+              Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text_of(integrator.label), font_of(12),
+              theme.text);
     for (std::size_t i = 0; i < kImpacts.size(); ++i) {
       const auto g = std::find_if(groups.begin(), groups.end(), [&](const StudyGroup& one) {
         return one.integrator == integrator.id && one.impacts == kImpacts[i].id;

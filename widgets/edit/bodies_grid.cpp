@@ -78,7 +78,7 @@ BodiesGrid::BodiesGrid(QWidget* parent)
   setItemDelegate(new CellDelegate(this));
   setSelectionBehavior(QAbstractItemView::SelectItems);
   setSelectionMode(QAbstractItemView::ContiguousSelection);
-  setEditTriggers(DoubleClicked | SelectedClicked | EditKeyPressed | AnyKeyPressed);
+  setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
   setAccessibleName(tr("Bodies"));
   value_->setObjectName("bubble");
   value_->setContentsMargins(6, 2, 6, 2);
@@ -310,11 +310,17 @@ bool BodiesGrid::focusNextPrevChild(bool next) {
 bool BodiesGrid::event(QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return FigureTable::event(event);
   const auto* key = static_cast<QKeyEvent*>(event);
-  // What is typed at a cell is no key of the window, also where it can't be taken.
-  if (!key->matches(QKeySequence::Paste) && !(types(*key) && rows_->can_edit() && currentIndex().isValid()))
+  // What is typed at a cell is no key of the window, also where it can't be taken; but no number begins with a
+  // letter.
+  if (!key->matches(QKeySequence::Paste) && !(types(*key) && rows_->can_edit() && begins_cell(*key)))
     return FigureTable::event(event);
   event->accept();
   return true;
+}
+
+bool BodiesGrid::begins_cell(const QKeyEvent& key) const {
+  const QModelIndex cell = currentIndex();
+  return cell.isValid() && (rows_->is_text(cell.column()) || !key.text()[0].isLetter());
 }
 
 void BodiesGrid::keyPressEvent(QKeyEvent* event) {
@@ -322,6 +328,8 @@ void BodiesGrid::keyPressEvent(QKeyEvent* event) {
     paste();
   } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
     edit(currentIndex(), EditKeyPressed, event);
+  } else if (types(*event) && !begins_cell(*event)) {
+    event->ignore();
   } else {
     if (event->key() == Qt::Key_Escape) {
       rows_->set_faults({});

@@ -76,6 +76,8 @@ class BodiesGrid : public FigureTable {
   void show_column(std::size_t choice, bool shown);
   void show_value(const QWidget& field, const QString& text);
   void paste();
+  // Whether a key begins what is typed into the current cell.
+  [[nodiscard]] bool begins_cell(const QKeyEvent& key) const;
   void say_why_not(const QModelIndex& index);
   void say(const QString& sentence);
   // Returns why the receiver refused them.

@@ -8,6 +8,7 @@
 #include <muParser.h>
 #include <numbers>
 
+#include "widgets/base/method_names.h"
 #include "widgets/edit/units.h"
 
 namespace carom {
@@ -15,10 +16,6 @@ namespace {
 
 constexpr qsizetype kLongest = 200;  // characters
 constexpr double kGravity = 9.81;    // m/s², the name g in formulas
-
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 // Signs that stand for others: true minus, times.
 QString with_plain_signs(QString text) {

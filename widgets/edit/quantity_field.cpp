@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "widgets/base/method_names.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/plain_text.h"
 #include "widgets/edit/quantity.h"
@@ -72,7 +73,7 @@ void QuantityField::show_value(const Inspected& value) {
   refusal_ = value.refusal;
   value_fault_ = value.fault;
   const Unit unit = units_of(range_.unit).front();
-  const QString unit_name = QString::fromUtf8(unit.name.data(), static_cast<qsizetype>(unit.name.size()));
+  const QString unit_name = text_of(unit.name);
   if (unit_ != unit_name) {
     unit_ = unit_name;
     update();

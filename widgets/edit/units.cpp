@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "physics/scene/limits.h"
+#include "widgets/base/method_names.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/rounding.h"
 
@@ -84,7 +85,7 @@ Unit shown_unit(std::string_view si) { return units_of(si).front(); }
 // With the name of the unit behind it.
 QString with_unit(const QString& text, const Unit& unit) {
   if (unit.name.empty()) return text;
-  const QString name = QString::fromUtf8(unit.name.data(), static_cast<qsizetype>(unit.name.size()));
+  const QString name = text_of(unit.name);
   return text + (name == "°" ? "" : " ") + name;
 }
 

@@ -8,6 +8,7 @@
 #include "physics/observe/quantity_name.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
+#include "widgets/base/method_names.h"
 
 namespace carom {
 namespace {
@@ -16,8 +17,6 @@ namespace {
 constexpr Rounding kValues{1e-9, 1.0};
 // A drift is shown down to rounding.
 constexpr Rounding kDrift{1e-15, 1e-15};
-
-QString text(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 
 PlotLine line(const char* label, const char* observable, const char* tip = "", bool sum = false) {
   const Observable* found = find_observable(observable);
@@ -122,7 +121,7 @@ const std::vector<Plot>& default_plots() {
 }
 
 QString label_of(const QuantityName& quantity) {
-  const QString label = text(find_observable(quantity.observable)->label);
+  const QString label = text_of(find_observable(quantity.observable)->label);
   return (quantity.bodies.empty() ? label : QString("%1 of %2").arg(label, names_of(quantity))) +
          residual_mark(quantity);
 }
@@ -170,10 +169,11 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
   // The part that all lines share is in the title instead.
   const bool one_body = plot.x && plot.x->bodies == plot.y.front().bodies && plot.y.size() == 1;
   if (content.lines.size() == 1) {
-    content.title = one_body ? text(first.label) + residual_mark(plot.y.front()) : content.lines.front().label;
+    content.title =
+        one_body ? text_of(first.label) + residual_mark(plot.y.front()) : content.lines.front().label;
     content.lines.front().label.clear();
   } else if (every([&](const Observable& o) { return &o == &first; })) {
-    content.title = text(first.label);
+    content.title = text_of(first.label);
     for (std::size_t i = 0; i < content.lines.size(); ++i) {
       const QString names = names_of(plot.y[i]);
       content.lines[i].label = (names.isEmpty() ? content.title : names) + residual_mark(plot.y[i]);

@@ -13,6 +13,7 @@
 
 #include "physics/observe/observables.h"
 #include "physics/observe/quantity_name.h"
+#include "widgets/base/method_names.h"
 #include "widgets/plot/plot_content.h"
 
 namespace carom {
@@ -31,7 +32,7 @@ constexpr std::array<std::pair<Topic, const char*>, 8> kTopics = {{
 
 // Where two quantities have the same label: of one body and of all.
 QString told_apart(const Observable& o) {
-  const QString label = QString::fromUtf8(o.label.data(), static_cast<qsizetype>(o.label.size()));
+  QString label = text_of(o.label);
   const auto all = observables();
   const bool one =
       std::count_if(all.begin(), all.end(), [&](const Observable& a) { return a.label == o.label; }) < 2;
@@ -50,8 +51,7 @@ void add_topics(QComboBox* box) {
     for (const Observable& o : observables()) {
       if (o.topic != topic) continue;
       const QString label = told_apart(o);
-      box->addItem("   " + shown_unit(o).behind(label),
-                   QString::fromUtf8(o.name.data(), static_cast<qsizetype>(o.name.size())));
+      box->addItem("   " + shown_unit(o).behind(label), text_of(o.name));
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "widgets/plot/shown_unit.h"
 
+#include "widgets/base/method_names.h"
 #include "widgets/edit/units.h"
 
 namespace carom {
@@ -7,8 +8,7 @@ namespace {
 
 QString written(std::string_view unit) {
   if (unit == "1") return {};
-  const QString text = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
-  return QString(text).replace(' ', QChar(0x00B7));
+  return text_of(unit).replace(' ', QChar(0x00B7));
 }
 
 }  // namespace

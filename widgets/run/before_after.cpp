@@ -199,13 +199,13 @@ FigureModel::Cell BeforeAfterModel::cell(int row, int column) const {
     case Quantity::kMass:
       return mass_.mass[body];
     case Quantity::kVelocityBefore:
-      return was_there ? Cell(compared_.before.velocity(body)) : Cell();
+      return was_there ? Cell(without_noise(compared_.before.velocity(body))) : Cell();
     case Quantity::kVelocityAfter:
-      return Cell(compared_.after.velocity(body));
+      return Cell(without_noise(compared_.after.velocity(body)));
     case Quantity::kSpinBefore:
-      return was_there ? Cell(compared_.before.v.col(body)[2]) : Cell();
+      return was_there ? Cell(without_noise(compared_.before.v.col(body)[2], body)) : Cell();
     case Quantity::kSpinAfter:
-      return compared_.after.v.col(body)[2];
+      return without_noise(compared_.after.v.col(body)[2], body);
     case Quantity::kVelocityTheory:
     case Quantity::kVelocityError:
     case Quantity::kSpinTheory:
@@ -217,6 +217,16 @@ FigureModel::Cell BeforeAfterModel::cell(int row, int column) const {
   }
 }
 
+// What is nothing but for rounding beside the fastest motion is shown as nothing.
+Vec2 BeforeAfterModel::without_noise(const Vec2& velocity) const {
+  const double scale = fastest();
+  return {without_rounding(velocity.x(), scale), without_rounding(velocity.y(), scale)};
+}
+
+double BeforeAfterModel::without_noise(double spin, BodyIndex body) const {
+  return without_rounding(gyration(body) * spin, fastest()) == 0.0 ? 0.0 : spin;
+}
+
 FigureModel::Cell BeforeAfterModel::of_law(Quantity quantity, BodyIndex body) const {
   if (!why_no_law(body).isEmpty()) return QStringLiteral("—");
   const Eigen::Matrix3Xd& theory = law();
@@ -226,11 +236,11 @@ FigureModel::Cell BeforeAfterModel::of_law(Quantity quantity, BodyIndex body) co
   const auto share = [scale](double part) { return scale > 0.0 ? part / scale : 0.0; };
   switch (quantity) {
     case Quantity::kVelocityTheory:
-      return Cell(Vec2(theory.col(body).head<2>()));
+      return Cell(without_noise(Vec2(theory.col(body).head<2>())));
     case Quantity::kVelocityError:
       return error_cell(share(off.norm()));
     case Quantity::kSpinTheory:
-      return theory.col(body)[2];
+      return without_noise(theory.col(body)[2], body);
     default:
       return error_cell(share(off_spin));
   }
@@ -238,15 +248,20 @@ FigureModel::Cell BeforeAfterModel::of_law(Quantity quantity, BodyIndex body) co
 
 FigureModel::Cell BeforeAfterModel::of_state(Quantity quantity, const Sums& before, const Sums& after,
                                              bool was_there) const {
+  const Sums sizes = sum_of_sizes();
+  const auto momentum = [&sizes](const Sums& of) {
+    const double scale = sizes.momentum.x();
+    return Vec2(without_rounding(of.momentum.x(), scale), without_rounding(of.momentum.y(), scale));
+  };
   switch (quantity) {
     case Quantity::kMomentumBefore:
-      return was_there ? Cell(before.momentum) : Cell();
+      return was_there ? Cell(momentum(before)) : Cell();
     case Quantity::kMomentumAfter:
-      return Cell(after.momentum);
+      return Cell(momentum(after));
     case Quantity::kAngularBefore:
-      return was_there ? Cell(before.angular) : Cell();
+      return was_there ? Cell(without_rounding(before.angular, sizes.angular)) : Cell();
     case Quantity::kAngularAfter:
-      return after.angular;
+      return without_rounding(after.angular, sizes.angular);
     case Quantity::kKineticBefore:
       return was_there ? Cell(before.kinetic) : Cell();
     case Quantity::kKineticAfter:
@@ -259,13 +274,7 @@ FigureModel::Cell BeforeAfterModel::of_state(Quantity quantity, const Sums& befo
 FigureModel::Cell BeforeAfterModel::sum_cell(Quantity quantity) const {
   if (quantity == Quantity::kBody) return translated("sum");
   if (quantity != Quantity::kMass) {
-    const Sums sizes = sum_of_sizes();
-    const auto rounded = [&sizes](Sums all) {
-      for (double& part : all.momentum) part = without_rounding(part, sizes.momentum.x());
-      all.angular = without_rounding(all.angular, sizes.angular);
-      return all;
-    };
-    return of_state(quantity, rounded(sum(compared_.before)), rounded(sum(compared_.after)), true);
+    return of_state(quantity, sum(compared_.before), sum(compared_.after), true);
   }
   double mass = 0.0;
   for (const BodyIndex body : compared_.shown) mass += mass_.mass[body];

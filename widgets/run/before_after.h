@@ -80,7 +80,9 @@ class BeforeAfterModel : public FigureModel {
   // Of the larger one before and after of each body; the momentum's is its x.
   [[nodiscard]] Sums sum_of_sizes() const;
   [[nodiscard]] double gyration(BodyIndex body) const;  // m, radius
-  [[nodiscard]] double fastest() const;                 // m/s
+  [[nodiscard]] Vec2 without_noise(const Vec2& velocity) const;
+  [[nodiscard]] double without_noise(double spin, BodyIndex body) const;
+  [[nodiscard]] double fastest() const;  // m/s
   [[nodiscard]] Cell of_state(Quantity quantity, const Sums& before, const Sums& after, bool was_there) const;
   [[nodiscard]] Cell of_law(Quantity quantity, BodyIndex body) const;
   [[nodiscard]] Cell sum_cell(Quantity quantity) const;

@@ -61,6 +61,13 @@ QToolButton* make_arrow(const QString& text, const QString& tip, QWidget* parent
   return button;
 }
 
+// Of a run that goes on from an edit the newest moment may have no impact, though the record has.
+QString none_at_end(const BeforeAfterPanel::Shown& run) {
+  return run.newest.impact_count > 0
+             ? BeforeAfterPanel::tr("no impact since the edit: PgUp goes to the last one")
+             : BeforeAfterPanel::tr("no impact so far");
+}
+
 }  // namespace
 
 BeforeAfterPanel::BeforeAfterPanel(QWidget* parent)
@@ -111,7 +118,7 @@ void BeforeAfterPanel::update_from(const Shown& run) {
     case Choice::kThis:
       return show_this(run);
     case Choice::kLast:
-      if (run.newest.jumps.empty()) return show_nothing(tr("no impact so far"));
+      if (run.newest.jumps.empty()) return show_nothing(none_at_end(run));
       return show_impact(run.newest.jumps.back(), run);
     case Choice::kStart:
       moment_.reset();
@@ -127,7 +134,7 @@ void BeforeAfterPanel::show_this(const Shown& run) {
   if (const auto moment = impact_of_step(run.shown, run.picked)) return show_impact(moment, run);
   const bool is_newest = run.shown.time >= run.newest.time;
   if (is_newest && !run.newest.jumps.empty()) return show_impact(run.newest.jumps.back(), run);
-  show_nothing(is_newest ? tr("no impact so far")
+  show_nothing(is_newest ? none_at_end(run)
                          : tr("no impact at this moment: PgUp goes to the last one, PgDn to the next"));
 }
 

@@ -180,7 +180,11 @@ void StopEditor::set_document(const std::vector<Stop>& stops, const std::vector<
     body_->addItem(QString::fromStdString(body.name));
     with_->addItem(QString::fromStdString(body.name));
   }
-  if (made) show_stop(*made);
+  if (made) {
+    show_stop(*made);
+  } else if (fault_->isVisibleTo(this)) {
+    take_sentence();  // bodies that it names may be there now
+  }
   enable();
 }
 

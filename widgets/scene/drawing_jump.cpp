@@ -72,10 +72,21 @@ class Builder {
     const double along = std::clamp(first_.normal.dot(from), -kMostReach * pixel_, kMostReach * pixel_);
     const Vec2 at = first_.point + along * first_.normal + (beside + std::copysign(out_by, beside)) * side_;
     const Vec2 arrow = state.velocity(body) * in_.arrows.seconds;
-    const QString text = name(body) + ' ' + figure(state.velocity(body).norm(), 3) + QStringLiteral(" m/s");
+    const QString text = name(body) + ' ' +
+                         figure(without_rounding(state.velocity(body).norm(), fastest()), 3) +
+                         QStringLiteral(" m/s");
     // Behind the arrow; beside one of a row of columns.
     const Vec2 text_side = is_wide() ? Vec2(std::copysign(1.0, beside) * side_) : direction(-arrow);
     add({at, at + arrow, ink(kColors[level]), kJumpWidth, before}, text, at, text_side, !before);
+  }
+
+  // m/s, of the bodies that jump.
+  [[nodiscard]] double fastest() const {
+    double most = 0.0;
+    for (const BodyIndex body : bodies_)
+      most =
+          std::max({most, in_.jump->before().velocity(body).norm(), in_.jump->after().velocity(body).norm()});
+    return most;
   }
 
   // On each of the two, from the contact.

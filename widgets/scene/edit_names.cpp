@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "physics/scene/scene.h"
+#include "widgets/base/method_names.h"
 #include "widgets/base/number_text.h"
 #include "widgets/edit/units.h"
 
@@ -71,7 +72,7 @@ QString turns_text(double spin) { return fixed_text(spin / (2.0 * std::numbers::
 QString name_of_part(const Joint& joint) {
   if (!joint.name.empty()) return QString::fromStdString(joint.name);
   const std::string_view kind = name_of(kJointNames, joint.kind);
-  return "a " + QString::fromUtf8(kind.data(), static_cast<qsizetype>(kind.size()));
+  return "a " + text_of(kind);
 }
 QString name_of_part(const Spring& spring) {
   return spring.name.empty() ? QStringLiteral("a spring") : QString::fromStdString(spring.name);

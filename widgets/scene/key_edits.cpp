@@ -9,6 +9,7 @@
 
 #include "physics/scene/edit_rules.h"
 #include "physics/scene/scene.h"
+#include "widgets/base/method_names.h"
 #include "widgets/edit/reshaping.h"
 #include "widgets/scene/drag.h"
 #include "widgets/scene/edit_names.h"
@@ -79,10 +80,6 @@ QString count_of(const QStringList& kinds) {
   const bool alike = std::all_of(kinds.begin(), kinds.end(), [&](const QString& k) { return k == kinds[0]; });
   const QString kind = alike ? kinds[0] : QStringLiteral("link");
   return QStringLiteral("%1 %2%3").arg(kinds.size()).arg(kind, kinds.size() == 1 ? "" : "s");
-}
-
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
 template <class Part>

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "widgets/base/method_names.h"
 #include "widgets/edit/quantity.h"
 #include "widgets/edit/units.h"
 #include "widgets/scene/drag_limits.h"
@@ -12,10 +13,7 @@
 namespace carom {
 namespace {
 
-QString first_unit(std::string_view si) {
-  const std::string_view name = units_of(si).front().name;
-  return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
-}
+QString first_unit(std::string_view si) { return text_of(units_of(si).front().name); }
 
 }  // namespace
 

@@ -414,5 +414,33 @@ TEST_F(LabPlayheadTest, ARestartLeavesTheRecord) {
   ASSERT_TRUE(wait_for([this] { return steps() == 0 && !runs().in_past(); }));
 }
 
+// The start has the surface already when an earlier moment gets it.
+TEST_F(LabPlayheadTest, ASurfaceIsEditedAtOneMomentAndThenAtAnEarlierOne) {
+  const auto edit_at = [this](double from, double to, double restitution) {
+    drag_timeline(from, to);
+    Material rubber;
+    rubber.name = "rubber";
+    rubber.restitution = restitution;
+    window_.session().edit({Add<Material>{rubber, Add<Material>::kAtEnd}}, "Surface");
+    ASSERT_TRUE(wait_for([this] { return !runs().in_past() && !runs().replayed(); }));
+  };
+  const auto rubber_of = [](const Scene& scene) {
+    std::vector<double> all;
+    for (const Material& each : scene.materials) {
+      if (each.name == "rubber") all.push_back(each.restitution);
+    }
+    return all;
+  };
+  edit_at(0.9, 0.6, 0.9);
+  edit_at(0.55, 0.2, 0.7);
+  EXPECT_EQ(rubber_of(window_.preset().scene), std::vector<double>{0.7});
+  EXPECT_TRUE(wait_for([&] {
+    const auto scene = window_.frame()->scene;
+    return scene != nullptr && rubber_of(*scene) == std::vector<double>{0.7};
+  }));
+  window_.session().edits().undo();
+  EXPECT_EQ(rubber_of(window_.preset().scene), std::vector<double>{0.9});
+}
+
 }  // namespace
 }  // namespace carom

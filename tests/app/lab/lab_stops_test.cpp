@@ -283,5 +283,29 @@ TEST_F(LabStopsTest, TheyAreSavedAndLoaded) {
   ASSERT_TRUE(wait_stopped("1st impact"));
 }
 
+TEST_F(LabStopsTest, TheEndIsWhereAStopEndedTheRun) {
+  set_stops({"at the 1st impact"});
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_stopped("1st impact"));
+  press(Qt::Key_Home);
+  ASSERT_TRUE(wait_for([this] { return runs().there() && time() == 0.0; }));
+  press(Qt::Key_End);
+  ASSERT_TRUE(wait_stopped("1st impact"));
+  EXPECT_NEAR(time(), 1.0 / 3.0, 1e-9);
+}
+
+TEST_F(LabStopsTest, ASentenceIsReadAgainOnceItsBodyIsThere) {
+  action("Stops...")->trigger();
+  sentence()->clear();
+  QTest::keyClicks(sentence(), "at the 1st impact of ball");
+  auto* fault = part<QLabel>("What is wrong");
+  ASSERT_TRUE(fault->isVisible());
+  std::vector<Body> bodies = window_.session().history().bodies();
+  bodies.front().name = "ball";
+  editor()->set_document({}, bodies);
+  EXPECT_FALSE(fault->isVisible());
+  EXPECT_TRUE(part<QPushButton>("Add")->isEnabled());
+}
+
 }  // namespace
 }  // namespace carom

@@ -474,5 +474,16 @@ TEST_F(BodiesSheetTest, CellsThatADragChangesHaveARing) {
   EXPECT_NE(left_border(), light_theme().accent);
 }
 
+// R restarts and D draws a disc, also where a number has the focus.
+TEST_F(BodiesSheetTest, ALetterBeginsANameOnly) {
+  click(0, Column::kMass);
+  keys("r");
+  EXPECT_EQ(field(), nullptr);
+  click(0, Column::kBody);
+  keys("r");
+  ASSERT_NE(field(), nullptr);
+  EXPECT_EQ(field()->text(), "r");
+}
+
 }  // namespace
 }  // namespace carom

@@ -239,5 +239,17 @@ TEST(BeforeAfter, NoFigureIsCutAndAPlaneImpactFitsADrawer) {
   }
 }
 
+TEST(BeforeAfter, RoundingBesideTheFastestIsNothing) {
+  Scene scene = head_on();
+  scene.bodies[0].velocity.y() = 4.3e-50;
+  scene.bodies[1].spin = 6.8e-49;
+  const ShownRun run(scene, 0.34);
+  BeforeAfterPanel panel;
+  run.show(panel);
+  for (int row : {0, 1}) {
+    for (const QString& cell : row_of(panel, row)) EXPECT_FALSE(cell.contains("e−4")) << cell.toStdString();
+  }
+}
+
 }  // namespace
 }  // namespace carom
