@@ -236,7 +236,8 @@ double RestingContacts::improve_forces(World& world, double h, double least) {
   const ContactSolverOptions options = solver_options();
   const double holds = linear_.improve(world, h, finder_.neighbours(), options.tolerance, options.slip_speed,
                                        workspace_.islands, least, found_);
-  if (has_large_island()) return holds;
+  // In a pile something stops rolling nearly always: to follow it costs more than it is worth.
+  if (found_.contacts.size() > kFewContacts) return holds;
   return std::min(holds, rolling_ends(world, found_.contacts, before_, after_, h, options.slip_speed));
 }
 
