@@ -94,6 +94,9 @@ bool opposite(const Vec2& m, const Vec2& n) { return (m + n).squaredNorm() <= kP
 
 // Of the tolerance: a point that has sunk so far between two neighbours has done so from their edge.
 constexpr double kSunk = 1e3;
+// Likewise of one that has sunk into a neighbour, from its surface; and of the neighbour's radius.
+constexpr double kSunkInto = 1e5;
+constexpr double kSunkShare = 1e-2;
 
 enum class Cover { kNone, kRidge, kBetween, kInside };
 
@@ -155,8 +158,11 @@ bool neighbour_covers(const ConvexShapes& shapes, ShapeIndex owner, const Pose& 
                       by_face);
     };
     const Cover covered = cover(tolerance);
-    if (covered == Cover::kNone || covered == Cover::kRidge || may_overlap) return covered != Cover::kNone;
-    return covered == Cover::kBetween && cover(kSunk * tolerance) == Cover::kRidge;
+    if (covered == Cover::kNone || covered == Cover::kRidge) return covered != Cover::kNone;
+    if (!may_overlap) return covered == Cover::kBetween && cover(kSunk * tolerance) == Cover::kRidge;
+    // Where two faces meet in a corner of a room, what has sunk into the one is still on the other.
+    const double from_surface = std::min(kSunkInto * tolerance, kSunkShare * shapes.radius[neighbour]);
+    return cover(std::max(tolerance, from_surface)) != Cover::kNone;
   };
   if (!runs_along(shapes, owner, pose_owner, normal) && !runs_along(shapes, neighbour, pose_neighbour, normal))
     return covers(normal);

@@ -318,8 +318,9 @@ bool EventDrivenImpacts::comes_to_rest(const Step& step, BodyIndex a, BodyIndex 
   World& world = step.world;
   const double restitution = world.material(contact, a, b).restitution;
   if (step.resting == nullptr || !step.may_divide || !(restitution < 1.0)) return false;
-  return -restitution * world.parting_speed(a, b, contact) <
-         last_rebound(world, *step.resting, a, b, contact, restitution);
+  const double closing = fastest_closing(world, a, world.trajectories.at_start(a), b,
+                                         world.trajectories.at_start(b), contact, touch_tolerance(world, a, b));
+  return restitution * closing < last_rebound(world, *step.resting, a, b, contact, restitution);
 }
 
 // The contact forces on what is hit were found for its motion before: they hold until now.

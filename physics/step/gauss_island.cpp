@@ -73,6 +73,15 @@ bool rubs(const GaussStep& step, const GaussContact& c) {
   return step.found.contacts.kinetic_friction[c.contact] > 0.0;
 }
 
+// Gives a contact the tangential forces of all that stick on its face.
+void hold_face(std::vector<GaussContact>& closed, GaussContact& holder) {
+  for (GaussContact& other : closed) {
+    if (&other == &holder || other.face != holder.face || !other.sticks) continue;
+    for (const std::size_t k : {0U, 1U})
+      holder.at[k].tangential_force += std::exchange(other.at[k].tangential_force, 0.0);
+  }
+}
+
 }  // namespace
 
 double gauss_share(std::size_t point, double time) {
@@ -298,6 +307,7 @@ void GaussIsland::build(const GaussStep& step) {
     c.holds = c.presses && c.sticks && !held_[static_cast<std::size_t>(c.face)];
     if (c.holds) held_[static_cast<std::size_t>(c.face)] = true;
     if (c.presses) rows_ += c.holds ? 2 : 1;
+    if (c.holds) hold_face(closed_, c);
   }
   matrix_.setZero(rows_, rows_);
   for (const GaussContact& c : closed_) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "physics/step/hits_in_order.h"
 #include "physics/step/run_clock.h"
 
 namespace carom {
@@ -20,35 +21,47 @@ void take_connected(const World& world, std::vector<Hit>& from, std::size_t begi
   from.erase(std::remove_if(from.begin() + static_cast<std::ptrdiff_t>(begin), from.end(), taken), from.end());
 }
 
+bool is_later(const Hit& x, const Hit& y) {
+  return std::tuple(-x.moment, x.a, x.b) < std::tuple(-y.moment, y.a, y.b);
+}
+
+// The hits of one moment that bodies connect, at once; false: they are not several, or there is no way.
+bool resolve(World& world, ImpactCluster& cluster, const std::vector<Hit>& together, double within, bool all) {
+  cluster.clear();
+  for (const Hit& hit : together) cluster.add(hit.a, hit.b, hit.contact);
+  cluster.drop_doubles(world);
+  if (!cluster.has_several(world) || together.size() > kMostTogether) return false;
+  if (!cluster.has_law(world)) {
+    world.note(&Notices::order_decided_since, world.trajectories.epoch() + within,
+               {together.back().a, together.back().b});
+    return false;
+  }
+  return cluster.resolve(world, within, all ? ClusterRestitution::kSmallest : ClusterRestitution::kOwn);
+}
+
 }  // namespace
 
-void resolve_at_once(World& world, HitsAtOnce& buffers, double h, double within) {
+void resolve_in_order(World& world, HitsAtOnce& buffers, double h, double within,
+                      const std::function<void(const Hit&)>& resolve_alone) {
   const bool all = world.model->several_impacts == SeveralImpactsId::kSimultaneous;
   const double same = all ? std::numeric_limits<double>::infinity() : kSameMoment * h;
   auto& [hits, together, cluster] = buffers;
   // The first to touch at the back, and of one moment in the order of the bodies: not in that of the list.
-  std::sort(hits.begin(), hits.end(), [](const Hit& x, const Hit& y) {
-    return std::tuple(-x.moment, x.a, x.b) < std::tuple(-y.moment, y.a, y.b);
-  });
+  std::sort(hits.begin(), hits.end(), is_later);
   while (!hits.empty()) {
     std::size_t begin = hits.size() - 1;
     while (begin > 0 && hits[begin - 1].moment - hits.back().moment <= same) --begin;
     while (hits.size() > begin) {
       take_connected(world, hits, begin, together);
-      cluster.clear();
-      for (const Hit& hit : together) cluster.add(hit.a, hit.b, hit.contact);
-      cluster.drop_doubles(world);
-      if (!cluster.has_several(world) || together.size() > kMostTogether) continue;
-      if (!cluster.has_law(world)) {
-        world.note(&Notices::order_decided_since, world.trajectories.epoch() + within,
-                   {together.back().a, together.back().b});
-        continue;
-      }
-      // Without a solution, which is noted, the caller goes on pair by pair.
-      static_cast<void>(
-          cluster.resolve(world, within, all ? ClusterRestitution::kSmallest : ClusterRestitution::kOwn));
+      if (resolve(world, cluster, together, within, all)) continue;
+      std::sort(together.begin(), together.end(), [](const Hit& x, const Hit& y) { return is_later(y, x); });
+      for (const Hit& hit : together) resolve_alone(hit);
     }
   }
+}
+
+void resolve_at_once(World& world, HitsAtOnce& buffers, double h, double within) {
+  resolve_in_order(world, buffers, h, within, [](const Hit&) {});
 }
 
 }  // namespace carom

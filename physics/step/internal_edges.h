@@ -31,7 +31,9 @@ template <class PoseOf>
   const auto covers = [&](BodyIndex other, BodyIndex owner, ShapeIndex part, BodyIndex toucher,
                           const Vec2& point, const Vec2& normal) {
     if (!world.can_collide(other, toucher) || g.shapes.core[part] == Core::kPoint) return false;
-    const double tolerance = kFlush * (g.size[owner] + g.size[other]) + 1e-12 * point.lpNorm<1>();
+    // Two half-planes have no size of their own.
+    const double size = std::max(g.size[owner] + g.size[other], g.size[toucher]);
+    const double tolerance = kFlush * size + 1e-12 * point.lpNorm<1>();
     if (g.more.empty()) {
       return neighbour_covers(g.shapes, part, pose(owner), g.first_part(other), pose(other), point, normal,
                               tolerance, !world.can_collide(owner, other));

@@ -1,3 +1,4 @@
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -6,16 +7,20 @@
 #include "physics/collision/time_of_impact.h"
 #include "physics/step/apply_impact.h"
 #include "physics/step/coming_to_rest.h"
+#include "physics/step/hits_in_order.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 #include "physics/step/resting_contacts.h"
+#include "physics/step/run_clock.h"
 
 // Impacts of bodies that contacts support: what closes too fast to rest rebounds by the law of impacts.
 namespace carom {
 namespace {
 
-// Rounds of impacts in a step where they are not located in time.
-constexpr int kMostStrikes = 8;
+// Rounds of impacts in a step where they are not located in time. From kListed on also in the order of the
+// list, in which impulses go farther in one round.
+constexpr int kMostStrikes = 16;
+constexpr int kListed = 8;
 
 }  // namespace
 
@@ -58,27 +63,27 @@ void RestingContacts::land(World& world, const LandingTime& landing) const {
 }
 
 // Where impacts are not located in time, pairs that would meet within the step rebound now by the law of
-// impacts, those of one moment at once, else pair by pair, before they can penetrate. In the next round so do
-// those that close by then. What still closes after kMostStrikes rounds is stopped.
+// impacts, before they can penetrate: in the order in which they would meet, those of one moment at once. In
+// the next round so do those that close by then. What still closes after kMostStrikes rounds is stopped.
 void RestingContacts::strike(World& world, double h) {
   if (found_.hits.empty()) return;
   struck_.assign(static_cast<std::size_t>(world.bodies()), 0);
   const auto pose = [&](BodyIndex i) { return pose_at_start(world, i); };
-  // Calls visit(contact, closing speed, material) for each two parts that would meet.
-  const auto each_hit = [&](BodyIndex a, BodyIndex b, const auto& visit) {
+  // How two parts approach, if they would meet.
+  const auto meeting = [&](BodyIndex a, BodyIndex b, const ShapePair& parts) -> std::optional<Approach> {
     const bool several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
-    world.shapes().each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
-      if (!world.can_collide(a, b)) return;  // one body by now
-      const Approach at = world.approach(a, b, 0.0, {part_a, part_b});
-      const SurfaceLaw& material = world.material(at.contact, a, b);
-      const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
-      if (!(impact_speed(material, -at.speed) > rest) || -at.speed * h < at.contact.gap) return;
-      // Forces and joints may lead past each other what goes straight on into each other.
-      if (at.contact.gap > 0.0 && gap_in_flight(world, a, b, {part_a, part_b}, h) > 0.0) return;
-      if (several && on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
-        return;
-      visit(at.contact, -at.speed, material);
-    });
+    if (!world.can_collide(a, b)) return std::nullopt;  // one body by now
+    const Approach at = world.approach(a, b, 0.0, parts);
+    const SurfaceLaw& material = world.material(at.contact, a, b);
+    const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
+    if (!(impact_speed(material, -at.speed) > rest)) return std::nullopt;
+    // What comes to touch at the step's end, to rounding, meets in the next step.
+    if (-at.speed * (1.0 - kSameMoment) * h < at.contact.gap) return std::nullopt;
+    // Forces and joints may lead past each other what goes straight on into each other.
+    if (at.contact.gap > 0.0 && gap_in_flight(world, a, b, parts, h) > 0.0) return std::nullopt;
+    if (several && on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
+      return std::nullopt;
+    return at;
   };
   // By body: in which round it was struck first, from 1 on; 0: not yet.
   const auto note_struck = [&](BodyIndex body, int round) {
@@ -106,8 +111,9 @@ void RestingContacts::strike(World& world, double h) {
     std::vector<Hit>& hits = at_once_.hits;
     hits.clear();
     each_pair(round, [&](BodyIndex a, BodyIndex b) {
-      each_hit(a, b, [&](const Contact& contact, double closing, const SurfaceLaw&) {
-        hits.push_back({a, b, contact, contact.gap / closing});
+      world.shapes().each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
+        const std::optional<Approach> at = meeting(a, b, {part_a, part_b});
+        if (at) hits.push_back({a, b, at->contact, at->contact.gap / -at->speed});
       });
     });
     for (const Hit& hit : hits) {
@@ -115,13 +121,23 @@ void RestingContacts::strike(World& world, double h) {
       note_struck(hit.b, round);
     }
     any = !hits.empty();
-    resolve_at_once(world, at_once_, h, 0.0);
+    const auto strike_parts = [&](BodyIndex a, BodyIndex b, const ShapePair& parts) {
+      const std::optional<Approach> at = meeting(a, b, parts);
+      if (!at) return;
+      apply_impact(world, a, b, at->contact, world.material(at->contact, a, b), 0.0);
+      note_struck(a, round);
+      note_struck(b, round);
+      any = true;
+    };
+    // By reference: a step allocates nothing.
+    const auto strike_alone = [&](const Hit& hit) {
+      strike_parts(hit.a, hit.b, world.shapes().parts_or_first(hit.contact.parts, hit.a, hit.b));
+    };
+    resolve_in_order(world, at_once_, h, 0.0, std::cref(strike_alone));
+    if (round < kListed) continue;
     each_pair(round, [&](BodyIndex a, BodyIndex b) {
-      each_hit(a, b, [&](const Contact& contact, double, const SurfaceLaw& material) {
-        apply_impact(world, a, b, contact, material, 0.0);
-        note_struck(a, round);
-        note_struck(b, round);
-        any = true;
+      world.shapes().each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
+        strike_parts(a, b, {part_a, part_b});
       });
     });
   }

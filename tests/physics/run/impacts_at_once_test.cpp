@@ -247,6 +247,51 @@ TEST(ImpactsAtOnce, ATriangleBreaksAlikeInEveryOrderOfTheBodies) {
   }
 }
 
+// A ball breaks a larger one where bodies may come to rest on each other, at the steps' ends: row by row, hits
+// that follow one another within a step come in the order of their moments.
+TEST(ImpactsAtOnce, ALargeTriangleBreaksAlikeOnBothSides) {
+  for (const int rows : {4, 5, 6}) {
+    for (const double restitution : {0.5, 0.95}) {
+      std::vector<Body> balls = {disc("cue", {-0.55, 0.0}, {1.0, 0.0})};
+      for (int row = 0; row < rows; ++row) {
+        for (int k = 0; k <= row; ++k)
+          balls.push_back(disc(fmt::format("{}/{}", row, k), {0.1 * std::sqrt(3.0) * row, 0.1 * (2 * k - row)},
+                               {0.0, 0.0}));
+      }
+      RunSetup s = test::setup_with(balls, restitution);
+      s.method = {IntegratorId::kRk4, ImpactsId::kStepEnd, ContactsId::kLasting, 0.01};
+      Simulation run(s);
+      run.advance_to(1.0);
+      for (int row = 0, first = 1; row < rows; first += ++row) {
+        for (int k = 0; k <= row; ++k) {
+          const Vec2 there = run.state().velocity(first + row - k);
+          EXPECT_NEAR((run.state().velocity(first + k) - Vec2(there.x(), -there.y())).norm(), 0.0, 1e-12)
+              << rows << " rows, e = " << restitution << ": " << row << '/' << k;
+        }
+      }
+    }
+  }
+}
+
+// Two balls meet a third one when a step ends: rounding does not say for each in which step it is.
+TEST(ImpactsAtOnce, TwoHitsWhenAStepEndsAreOne) {
+  for (const ContactsId contacts : {ContactsId::kImpulse, ContactsId::kLasting}) {
+    for (const double step : {0.01, 0.005, 0.002, 0.001}) {
+      RunSetup s = test::setup_with(
+          {disc("a", {0.0, 0.0}, {1.0, 0.0}, 0.1, 1.0), disc("b", {0.4, 0.0}, {0.0, 0.0}, 0.1, 3.0),
+           disc("c", {0.65, 0.0}, {-0.25, 0.0}, 0.1, 3.0)},
+          0.5);
+      s.method = {IntegratorId::kRk4, ImpactsId::kStepEnd, contacts, step};
+      Simulation run(s);
+      run.advance_to(0.5);
+      // The law of both contacts: -0.5 of what closes, at each; by momentum.
+      EXPECT_NEAR(run.state().v(0, 0), -25.0 / 56.0, 1e-9) << step;
+      EXPECT_NEAR(run.state().v(0, 1), 3.0 / 56.0, 1e-9) << step;
+      EXPECT_NEAR(run.state().v(0, 2), 10.0 / 56.0, 1e-9) << step;
+    }
+  }
+}
+
 // A ball breaks a rhombus where bodies may come to rest on each other, at the steps' ends: what is struck
 // strikes on in the next round, both sides at once.
 TEST(ImpactsAtOnce, ARhombusBreaksAlikeInEveryOrderOfTheBodies) {

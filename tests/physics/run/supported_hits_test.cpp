@@ -105,5 +105,34 @@ TEST(SupportedHits, RandomOnesHaveTheirRestitution) {
   }
 }
 
+// A ball hits a box that lies on a smooth floor below its centre: the box turns, and its corner hits the floor
+// at once. What is left of the box's own speed, downwards or upwards by rounding, decides nothing.
+TEST(SupportedHits, ACornerThatAHitTurnsDownHitsTheFloor) {
+  constexpr double kInertia = (0.2 * 0.2 + 0.1 * 0.1) / 12.0;
+  constexpr double kLow = 0.03;  // m, of the hit below the centre
+  for (const double restitution : {0.5, 1.0}) {
+    const double hit = (1.0 + restitution) * 2.0 / (2.0 + kLow * kLow / kInertia);
+    const double spin = -kLow * hit / kInertia;
+    const double push = (1.0 + restitution) * -0.1 * spin / (1.0 + 0.01 / kInertia);
+    for (const double h : {0.02, 0.01, 0.005, 0.0025}) {
+      for (const double way : {0.03, 0.0313, 0.0337, 0.035}) {
+        RunSetup s = test::setup_with(
+            {test::fixed("floor", Wall{}, {0.0, 0.0}), test::box("box", {0.0, 0.05}, {0.0, 0.0}, 0.2, 0.1),
+             test::disc("ball", {0.12 + way, 0.05 - kLow}, {-2.0, 0.0}, 0.02)},
+            restitution);
+        s.scene.forces.gravity = {0.0, -9.81};
+        s.method.contacts = ContactsId::kLasting;
+        s.method.step = h;
+        Simulation run(s);
+        run.advance_to(0.5 * way + 0.01);
+        EXPECT_NEAR(run.state().v(2, 1), spin + 0.1 * push / kInertia, 1e-9)
+            << "e = " << restitution << ", h = " << h << ", way " << way;
+        EXPECT_NEAR(run.state().v(0, 1), -hit, 1e-9);
+        EXPECT_EQ(run.notices().text(), "ok");
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom
