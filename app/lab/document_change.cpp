@@ -9,6 +9,7 @@
 #include "physics/scene/edit_rules.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/fingerprint.h"
+#include "widgets/edit/inspected.h"
 #include "widgets/plot/plot_content.h"
 
 namespace carom {
@@ -261,6 +262,46 @@ Id<MaterialPair> id_of_known(const Scene& start, const MaterialPair& part) {
   return known == start.pairs.end() ? Id<MaterialPair>{} : known->id;
 }
 
+// Whether a body gets this surface, which the start gives it no earlier.
+bool is_put_on(const Scene& start, const SceneEdits& edits, const std::string& surface) {
+  return std::any_of(edits.begin(), edits.end(), [&](const SceneEdit& edit) {
+    const auto* replace = std::get_if<Replace<Body>>(&edit);
+    if (replace == nullptr || replace->part.material != surface) return false;
+    const Body* was = part_of(start.bodies, replace->part.id);
+    return was == nullptr || was->material != surface;
+  });
+}
+
+// "wood 2": "wood".
+std::string stem_of(const std::string& name) {
+  const std::size_t last = name.find_last_not_of("0123456789");
+  const bool numbered = last != std::string::npos && last + 1 < name.size() && name[last] == ' ';
+  return numbered ? name.substr(0, last) : name;
+}
+
+// A surface that a body gets here, while the start has another one of this name from a later moment, gets a
+// name of its own.
+void name_own_surfaces(const Scene& start, SceneEdits& edits) {
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const auto* add = std::get_if<Add<Material>>(&edits[i]);
+    if (add == nullptr || add->part.id.number != 0 || id_of_known(start, add->part).number == 0) continue;
+    const std::string from = add->part.name;
+    if (!is_put_on(start, edits, from)) continue;
+    const std::string to = free_surface_name(start, stem_of(from));
+    const auto rename = [&](std::string& name) {
+      if (name == from) name = to;
+    };
+    for (SceneEdit& edit : edits) {
+      if (auto* surface = std::get_if<Add<Material>>(&edit)) rename(surface->part.name);
+      if (auto* body = std::get_if<Replace<Body>>(&edit)) each_material(body->part, rename);
+      if (auto* pair = std::get_if<Add<MaterialPair>>(&edit)) {
+        rename(pair->part.a);
+        rename(pair->part.b);
+      }
+    }
+  }
+}
+
 // What the start has already is replaced there, not added.
 SceneEdits with_known_parts(const Scene& start, SceneEdits edits) {
   for (SceneEdit& edit : edits) {
@@ -404,6 +445,7 @@ void give_ids(Preset& preset) {
 }
 
 void number_new_parts(const Scene& start, SceneEdits& edits) {
+  name_own_surfaces(start, edits);
   std::uint32_t given = start.ids_given;
   for (SceneEdit& edit : edits) {
     std::visit(

@@ -14,6 +14,7 @@
 #include "physics/scene/validate.h"
 #include "widgets/base/ask.h"
 #include "widgets/edit/bodies_sheet.h"
+#include "widgets/edit/driven.h"
 #include "widgets/edit/inspector.h"
 #include "widgets/scene/allowed_motion.h"
 #include "widgets/scene/allowed_place.h"
@@ -37,6 +38,12 @@ const Body* drawn_disc(const SceneEdits& edits) {
   return added != nullptr && std::holds_alternative<Disc>(added->part.shape) ? &added->part : nullptr;
 }
 
+// Edits of bodies as they are seen at the shown moment, as the session takes them.
+SceneEdits stated(const SceneEdits& edits, LabRuns& runs) {
+  const auto scene = runs.shown_scene();
+  return scene == nullptr || runs.frame() == nullptr ? edits : as_stated(edits, *scene, runs.frame()->time);
+}
+
 }  // namespace
 
 void LabWindow::connect_edits() {
@@ -44,7 +51,7 @@ void LabWindow::connect_edits() {
     const Body* disc = session_.runs().at_start() ? nullptr : drawn_disc(edits);
     if (disc != nullptr) return drop(disc->position, std::get<Disc>(disc->shape).radius);
     select_drawn(edits);
-    session_.edit(edits, name, drag_of(kOfScene, drag));
+    session_.edit(stated(edits, session_.runs()), name, drag_of(kOfScene, drag));
   });
   connect(view_, &SceneView::spawnRequested, this, [this](double x, double y) { drop({x, y}, std::nullopt); });
   connect(view_, &SceneView::pulled, &session_.hand(), &HandEdits::pull);
@@ -72,14 +79,15 @@ void LabWindow::connect_edits() {
   connect(inspector_, &Inspector::left, this, [this] { view_->setFocus(); });
   connect(inspector_, &Inspector::partOpened, this, [this] { view_->choose_part(inspector_->part()); });
   connect(inspector_, &Inspector::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
-    edit_bodies(edits, name, drag_of(kOfInspector, drag));
+    edit_bodies(stated(edits, session_.runs()), name, drag_of(kOfInspector, drag));
   });
   connect(inspector_, &Inspector::durationEdited, &session_,
           [this](double duration, const QString& name, int drag) {
             session_.change_duration(duration, name, drag_of(kOfInspector, drag));
           });
-  connect(sheet_, &BodiesSheet::edited, this,
-          [this](const SceneEdits& edits, const QString& name) { edit_bodies(edits, name, 0); });
+  connect(sheet_, &BodiesSheet::edited, this, [this](const SceneEdits& edits, const QString& name) {
+    edit_bodies(stated(edits, session_.runs()), name, 0);
+  });
   connect(sheet_, &BodiesSheet::chosen, this, [this](const std::vector<std::string>& names) {
     to_select_ = names;
     if (frame() != nullptr) select_new();
@@ -176,7 +184,9 @@ void LabWindow::show_selection() {
   if (part && parts != nullptr && has_part(*parts, *part)) {
     inspector_->show_part(parts, *part);
   } else {
-    inspector_->show_selection(view_->selection().empty() ? parts : runs.shown_scene(), view_->selection());
+    const double time = runs.frame() == nullptr ? 0.0 : runs.frame()->time;
+    inspector_->show_selection(view_->selection().empty() ? parts : runs.shown_scene(), view_->selection(),
+                               time);
   }
   const bool align = view_->can_align();
   group_->enable(align, align && view_->selection().size() > 2, view_->takes(Qt::Key_K));

@@ -334,8 +334,14 @@ void LabWindow::make_start_chip_menu() {
   auto* menu = new QMenu(chips_->start_chip());
   chips_->start_chip()->setMenu(menu);
   menu->addAction(undo_);
-  menu->addAction(tr("&Put the edit into the start before instead"), this,
-                  [this] { session_.starts().put_into_start_before(); });
+  menu->setToolTipsVisible(true);
+  QAction* before = menu->addAction(tr("&Put the edit into the start before instead"), this,
+                                    [this] { session_.starts().put_into_start_before(); });
+  connect(menu, &QMenu::aboutToShow, this, [this, before] {
+    const QString why_not = session_.starts().why_not_into_start_before();
+    before->setEnabled(why_not.isEmpty());
+    before->setToolTip(why_not);
+  });
   menu->addAction(first_start_);
 }
 

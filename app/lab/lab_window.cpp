@@ -145,6 +145,7 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
   view_->set_aim(std::nullopt);
   chips_->forget_position();
   said_.clear();
+  sheet_->begin();
   list_->set_current(name);
   show_title();
   study_->set_scene(preset, name.isEmpty() ? QFileInfo(file).completeBaseName() : name);

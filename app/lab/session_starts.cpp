@@ -151,13 +151,18 @@ Document SessionStarts::before_edit(int place) const {
   return before;
 }
 
-void SessionStarts::put_into_start_before() {
+QString SessionStarts::why_not_into_start_before() const {
   const int place = newest_start_edit();
-  if (place < 0) return history_.refuse(tr("This start was not made by an edit of the start before."));
+  if (place < 0) return tr("This start was not made by an edit of the start before.");
   for (int i = place + 1; i < history_.stack().index(); ++i) {
-    if (!history_.edit_at(i).what().is_work) continue;
-    return history_.refuse(tr("More was changed since: take that back first."));
+    if (history_.edit_at(i).what().is_work) return tr("More was changed since: take that back first.");
   }
+  return {};
+}
+
+void SessionStarts::put_into_start_before() {
+  if (const QString why = why_not_into_start_before(); !why.isEmpty()) return history_.refuse(why);
+  const int place = newest_start_edit();
   const DocumentEdit::What& made = history_.edit_at(place).what();
   const Document before = before_edit(place);
   Document changed = before;

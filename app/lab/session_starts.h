@@ -48,8 +48,9 @@ class SessionStarts : public QObject {
   void go_to(const Known& known);
   void go_to_first();
   // Takes the newest start back, and makes its edit in the start before it instead; says why not, where it
-  // can't.
+  // can't. One sentence on that; empty: nothing is known that stands against it.
   void put_into_start_before();
+  [[nodiscard]] QString why_not_into_start_before() const;
 
  private:
   void enter_run();

@@ -243,9 +243,9 @@ void FigureTable::contextMenuEvent(QContextMenuEvent* event) {
 
 int FigureTable::wanted_rows() const {
   const int rows = model_->rowCount();
-  int sums = 0;
-  while (sums < rows && model_->is_sum(rows - 1 - sums)) ++sums;
-  return sums;
+  int sum = rows - 1;
+  while (sum >= 0 && !model_->is_sum(sum)) --sum;
+  return sum < 0 ? 0 : rows - sum;
 }
 
 void FigureTable::resizeEvent(QResizeEvent* event) {

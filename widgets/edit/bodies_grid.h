@@ -49,6 +49,8 @@ class BodiesGrid : public FigureTable {
   bool go_right(int columns);
   // To the right or left, and out of the table after the last cell of the row.
   void go_on(bool right);
+  // Puts the cells of the clipboard into the marked ones, or into those from the current one on.
+  void paste();
 
  signals:
   void edited(const carom::SceneEdits& edits, const QString& name);
@@ -75,7 +77,6 @@ class BodiesGrid : public FigureTable {
   void make_columns_menu();
   void show_column(std::size_t choice, bool shown);
   void show_value(const QWidget& field, const QString& text);
-  void paste();
   // Whether a key begins what is typed into the current cell.
   [[nodiscard]] bool begins_cell(const QKeyEvent& key) const;
   void say_why_not(const QModelIndex& index);

@@ -9,6 +9,7 @@
 #include "widgets/base/number_text.h"
 #include "widgets/base/plain_text.h"
 #include "widgets/base/rounding.h"
+#include "widgets/edit/driven.h"
 #include "widgets/edit/name_field.h"
 #include "widgets/edit/quantity.h"
 
@@ -45,10 +46,10 @@ const std::vector<ColumnText>& columns() {
       {"vy from centre\n/ m/s", 80, "velocity y relative to the centre of mass", "m/s", {}, kRelative},
       {"spin\n/ rad/s", 76, "spin", "rad/s", {"spin"}},
       {"e", 52, "restitution", ""},
-      {"p\n/ kg·m/s", 76, "momentum", "kg m/s", {}, kOfMomentum},
-      {"px\n/ kg·m/s", 76, "momentum x", "kg m/s", {}, kOfMomentum},
-      {"py\n/ kg·m/s", 76, "momentum y", "kg m/s", {}, kOfMomentum},
-      {"L\n/ kg·m²/s",
+      {"p\n/ kg m/s", 76, "momentum", "kg m/s", {}, kOfMomentum},
+      {"px\n/ kg m/s", 76, "momentum x", "kg m/s", {}, kOfMomentum},
+      {"py\n/ kg m/s", 76, "momentum y", "kg m/s", {}, kOfMomentum},
+      {"L\n/ kg m²/s",
        76,
        "angular momentum",
        "kg m²/s",
@@ -56,7 +57,7 @@ const std::vector<ColumnText>& columns() {
        "L = m (x vy − y vx) + I ω, about the origin: change one of these."},
       {"K / J", 62, "kinetic energy", "J", {}, "K = ½ m v² + ½ I ω²: change m, v or the spin."},
       {"r / m", 62, "radius", "m", {}, "The size of a body is changed in the inspector."},
-      {"I\n/ kg·m²",
+      {"I\n/ kg m²",
        70,
        "inertia",
        "kg m²",
@@ -89,6 +90,16 @@ TypedCell typed_name(const std::vector<Body>& bodies, const Body& body, const QS
       std::any_of(bodies.begin(), bodies.end(), [&](const Body& other) { return name_of(other) == name; });
   if (taken) return {{}, tr("Another body is called %1.").arg(name)};
   return {renaming(body, name), {}};
+}
+
+// All bodies of the scene, driven ones where they are at the frame's time.
+std::shared_ptr<const std::vector<Body>> bodies_seen(const Scene& scene,
+                                                     const std::shared_ptr<const Frame>& frame) {
+  std::vector<Body> bodies = all_bodies(scene);
+  if (frame != nullptr) {
+    for (Body& body : bodies) body = as_seen(std::move(body), frame->time);
+  }
+  return std::make_shared<const std::vector<Body>>(std::move(bodies));
 }
 
 // The number of a cell that can be edited.
@@ -143,8 +154,7 @@ void BodiesModel::show(const std::shared_ptr<const Scene>& scene, const std::sha
   frame_ = scene == nullptr ? frame : nullptr;
   if (scene != nullptr) surfaces_ = scene;
   if (scene == nullptr && frame == nullptr) return rows_changed(rowCount());  // what is shown stays
-  const auto bodies =
-      scene != nullptr ? std::make_shared<const std::vector<Body>>(all_bodies(*scene)) : frame->bodies;
+  const auto bodies = scene != nullptr ? bodies_seen(*scene, frame) : frame->bodies;
   if (bodies != bodies_) mass_ = mass_properties(*bodies);
   if (scene == nullptr || bodies->size() != bodies_->size()) faults_.clear();
   bodies_ = bodies;
@@ -153,35 +163,48 @@ void BodiesModel::show(const std::shared_ptr<const Scene>& scene, const std::sha
 }
 
 void BodiesModel::count() {
+  find_scales();
   total_mass_ = energy_ = angular_momentum_ = 0.0;
   momentum_ = centre_ = Vec2::Zero();
-  length_ = fastest_ = heaviest_ = 0.0;
   double of_momenta = 0.0;  // the sizes of what is summed
   double of_turning = 0.0;
   Vec2 of_places = Vec2::Zero();
   for (int i = 0; i < state_.size(); ++i) {
     if (has_infinite_mass((*bodies_)[static_cast<std::size_t>(i)])) continue;
-    length_ = std::max({length_, state_.position(i).cwiseAbs().maxCoeff(),
-                        turning_radius((*bodies_)[static_cast<std::size_t>(i)])});
-    fastest_ = std::max({fastest_, state_.velocity(i).norm(), rim_speed(i)});
-    heaviest_ = std::max(heaviest_, mass_.mass[i] * state_.velocity(i).norm());
     total_mass_ += mass_.mass[i];
     momentum_ += mass_.mass[i] * state_.velocity(i);
     centre_ += mass_.mass[i] * state_.position(i);
     energy_ += kinetic_energy(i);
     angular_momentum_ += angular_momentum(i);
     of_turning += std::abs(angular_momentum(i));
-    of_momenta += mass_.mass[i] * state_.velocity(i).norm();
+    of_momenta += mass_.mass[i] * std::max(state_.velocity(i).norm(), size_);
     of_places += mass_.mass[i] * state_.position(i).cwiseAbs();
   }
   for (const int axis : {0, 1}) {
     momentum_[axis] = without_rounding(momentum_[axis], of_momenta);
     centre_[axis] = without_rounding(centre_[axis], of_places[axis]);
   }
-  angular_momentum_ = without_rounding(angular_momentum_, of_turning);
+  angular_momentum_ = without_rounding(angular_momentum_, std::max(of_turning, length_ * of_momenta));
   if (total_mass_ > 0.0) centre_ /= total_mass_;
   shown_ = all_ ? bodies_->size() : std::min(bodies_->size(), kFirst);
   rows_changed(bodies_->empty() ? 0 : shown_bodies() + 1);
+}
+
+// Bodies that move in a second by rounding of the largest one's size are at rest.
+void BodiesModel::find_scales() {
+  length_ = size_ = fastest_ = heaviest_ = 0.0;
+  double mass = 0.0;  // the largest
+  for (int i = 0; i < state_.size(); ++i) {
+    const Body& body = (*bodies_)[static_cast<std::size_t>(i)];
+    if (has_infinite_mass(body)) continue;
+    length_ = std::max({length_, state_.position(i).cwiseAbs().maxCoeff(), turning_radius(body)});
+    fastest_ = std::max({fastest_, state_.velocity(i).norm(), rim_speed(i)});
+    heaviest_ = std::max(heaviest_, mass_.mass[i] * state_.velocity(i).norm());
+    size_ = std::max(size_, bounding_radius(body.shape));
+    mass = std::max(mass, mass_.mass[i]);
+  }
+  fastest_ = std::max(fastest_, size_);
+  heaviest_ = std::max(heaviest_, mass * size_);
 }
 
 double BodiesModel::rim_speed(int body) const {
@@ -261,22 +284,25 @@ QString BodiesModel::full_text(int row, int column) const {
 }
 
 double BodiesModel::kinetic_energy(int body) const {
-  const double spin = state_.v(2, body);
-  return 0.5 * mass_.mass[body] * state_.velocity(body).squaredNorm() + 0.5 * mass_.inertia[body] * spin * spin;
+  const double speed = moved(body, state_.velocity(body).norm());
+  const double spin = turns(body) ? state_.v(2, body) : 0.0;
+  return 0.5 * mass_.mass[body] * speed * speed + 0.5 * mass_.inertia[body] * spin * spin;
 }
 
 // About the origin.
 double BodiesModel::angular_momentum(int body) const {
-  return mass_.mass[body] * cross(state_.position(body), state_.velocity(body)) +
-         mass_.inertia[body] * state_.v(2, body);
+  const Vec2 velocity = state_.velocity(body);
+  const double spin = turns(body) ? state_.v(2, body) : 0.0;
+  return mass_.mass[body] *
+             cross(state_.position(body), {moved(body, velocity.x()), moved(body, velocity.y())}) +
+         mass_.inertia[body] * spin;
 }
 
 FigureModel::Cell BodiesModel::cell(int row, int column) const {
   if (is_sum(row)) return sum(column);
   const Body& body = (*bodies_)[static_cast<std::size_t>(row)];
   const bool stays = has_infinite_mass(body);
-  // Of a driven body the place that is its own, without the drive's part.
-  const Vec2 place = stays ? body.position : state_.position(row);
+  const Vec2 place = state_.position(row);
   switch (column) {
     case kBody:
       return name_of(body);

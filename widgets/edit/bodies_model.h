@@ -100,6 +100,7 @@ class BodiesModel : public FigureModel {
   [[nodiscard]] QString surface_tip(int row) const;
   [[nodiscard]] QString spoken(const QModelIndex& index) const;
   void count();
+  void find_scales();
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Scene> surfaces_;  // the last scene that there was
@@ -112,10 +113,11 @@ class BodiesModel : public FigureModel {
   std::unordered_set<std::string> marked_;
   Faults faults_;
   std::map<std::pair<std::string, int>, QString> watched_;  // by body and column, at the beginning
-  // Of all that move: m, the farthest place from an axis; m/s, the fastest, at the rim too. What is far below
-  // is rounding.
+  // Of all that move: m, the farthest place from an axis, and the largest body; m/s, the fastest, at the rim
+  // too. What is far below is rounding.
   double length_ = 0.0;
-  double fastest_ = 0.0;
+  double size_ = 0.0;
+  double fastest_ = 0.0;   // at least a size a second
   double heaviest_ = 0.0;  // N s, the largest momentum
   double total_mass_ = 0.0;
   double energy_ = 0.0;

@@ -1,6 +1,7 @@
 #include "widgets/edit/bodies_sheet.h"
 
 #include <QPushButton>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -80,6 +81,13 @@ void BodiesSheet::refuse(const QString& sentence) { grid_->refuse(sentence); }
 
 void BodiesSheet::forget_faults() {
   grid_->rows().set_faults({});
+  say({});
+}
+
+void BodiesSheet::begin() {
+  grid_->setCurrentIndex({});
+  grid_->scrollToTop();
+  grid_->horizontalScrollBar()->setValue(0);
   say({});
 }
 

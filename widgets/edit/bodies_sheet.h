@@ -39,6 +39,8 @@ class BodiesSheet : public QWidget {
   void refuse(const QString& sentence);
   // The scene is another one: red cells, and what was said, are over.
   void forget_faults();
+  // Of another document: no cell is the current one, and the first ones are in sight.
+  void begin();
   // What was said is over, unless it is about red cells.
   void end_sentence();
 

@@ -1,5 +1,7 @@
 #include "widgets/edit/cell_delegate.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QPainter>
 
@@ -7,6 +9,16 @@
 #include "widgets/edit/cell_field.h"
 
 namespace carom {
+namespace {
+
+// Whether this key would put the text of several cells into one.
+bool pastes_cells(const QKeyEvent& key) {
+  if (!key.matches(QKeySequence::Paste)) return false;
+  const QString text = QGuiApplication::clipboard()->text().trimmed();
+  return text.contains('\t') || text.contains('\n');
+}
+
+}  // namespace
 
 CellDelegate::CellDelegate(BodiesGrid* grid) : FigureDelegate(grid), grid_(grid) {}
 
@@ -35,15 +47,17 @@ void CellDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewI
 bool CellDelegate::eventFilter(QObject* editor, QEvent* event) {
   if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) return false;
   const int key = static_cast<QKeyEvent*>(event)->key();
+  const bool cells = pastes_cells(*static_cast<QKeyEvent*>(event));
   const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
   const bool tab = key == Qt::Key_Tab || key == Qt::Key_Backtab;
-  if (!enter && !tab && key != Qt::Key_Escape) return false;
+  if (!enter && !tab && !cells && key != Qt::Key_Escape) return false;
   event->accept();
   if (event->type() == QEvent::ShortcutOverride) return true;
   auto* field = static_cast<CellField*>(editor);
-  if (key == Qt::Key_Escape) {
+  if (key == Qt::Key_Escape || cells) {
     field->restore();
     grid_->end(field);
+    if (cells) grid_->paste();
   } else if (field->accept_typed()) {
     grid_->end(field);
     if (tab) grid_->go_on(key == Qt::Key_Tab);

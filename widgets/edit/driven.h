@@ -1,5 +1,7 @@
 #pragma once
 
+#include "physics/scene/drive.h"
+#include "physics/scene/edit.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -13,5 +15,15 @@ namespace carom {
   body.spin = 0.0;
   return body;
 }
+
+// The body at the place where it is seen at this time (s), which the scene states without the part of its
+// drive.
+[[nodiscard]] inline Body as_seen(Body body, double time) {
+  if (body.drive) body.position = drive_position(*body.drive, body.position, time);
+  return body;
+}
+
+// Edits of driven bodies as they are seen, as edits of the scene that states them.
+[[nodiscard]] SceneEdits as_stated(SceneEdits edits, const Scene& scene, double time);
 
 }  // namespace carom

@@ -132,6 +132,9 @@ struct DurationAndStops {
 };
 [[nodiscard]] std::vector<InspectedRow> inspected_duration_and_stops(const DurationAndStops& shown);
 
+// The first of "stem 2", "stem 3", ... that is no surface's name.
+[[nodiscard]] std::string free_surface_name(const Scene& scene, const std::string& stem);
+
 // The surfaces and the pairs of them with a law of their own.
 [[nodiscard]] std::vector<InspectedRow> inspected_surfaces(const Scene& scene);
 

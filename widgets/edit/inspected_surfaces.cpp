@@ -152,18 +152,9 @@ InspectedAction removal(const Scene& scene, const Material& material) {
           .refusal = use_of(scene, material.name)};
 }
 
-// The first of "stem 2", "stem 3", ... that is no surface's name.
-std::string free_name(const Scene& scene, const std::string& stem) {
-  for (int number = 2;; ++number) {
-    std::string name = stem + " " + std::to_string(number);
-    const auto taken = [&](const Material& material) { return material.name == name; };
-    if (std::none_of(scene.materials.begin(), scene.materials.end(), taken)) return name;
-  }
-}
-
 InspectedRow addition(const Scene& scene) {
   Material added;
-  added.name = free_name(scene, "surface");
+  added.name = free_surface_name(scene, "surface");
   const QString text = "Add surface " + text_of(added.name);
   return {.section = "More surfaces",
           .actions = {{.text = "Add a surface",
@@ -240,7 +231,7 @@ void add_more(std::vector<InspectedRow>& shown, std::size_t all, const QString& 
 NamedEdits split(const Scene& scene, const std::vector<Body>& bodies) {
   const std::string old = bodies.front().material;
   Material own = material_named(scene, old);
-  own.name = free_name(scene, old);
+  own.name = free_surface_name(scene, old);
   own.id = {};
   SceneEdits edits{Add<Material>{own}};
   for (const MaterialPair& pair : scene.pairs) {
@@ -293,6 +284,14 @@ InspectedRow choice_of_surface(const Scene& scene, const std::vector<Body>& bodi
 }
 
 }  // namespace
+
+std::string free_surface_name(const Scene& scene, const std::string& stem) {
+  for (int number = 2;; ++number) {
+    std::string name = stem + " " + std::to_string(number);
+    const auto taken = [&](const Material& material) { return material.name == name; };
+    if (std::none_of(scene.materials.begin(), scene.materials.end(), taken)) return name;
+  }
+}
 
 std::vector<InspectedRow> inspected_surface(const Scene& scene, const std::vector<Body>& bodies) {
   std::vector<InspectedRow> shown{choice_of_surface(scene, bodies)};

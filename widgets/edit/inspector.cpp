@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "widgets/base/elided_label.h"
+#include "widgets/edit/driven.h"
 #include "widgets/edit/inspected_corners.h"
 #include "widgets/edit/inspector_row.h"
 #include "widgets/edit/name_field.h"
@@ -165,12 +166,13 @@ void Inspector::set_group_tools(QWidget* tools) {
   tools->setVisible(bodies_.size() > 1);
 }
 
-void Inspector::show_selection(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names) {
-  choose(std::move(scene), names, std::nullopt);
+void Inspector::show_selection(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names,
+                               double time) {
+  choose(std::move(scene), names, std::nullopt, time);
 }
 
 void Inspector::show_part(std::shared_ptr<const Scene> scene, PartId part) {
-  choose(std::move(scene), {}, part);
+  choose(std::move(scene), {}, part, 0.0);
 }
 
 void Inspector::show_duration_and_stops(const DurationAndStops& shown) {
@@ -180,7 +182,7 @@ void Inspector::show_duration_and_stops(const DurationAndStops& shown) {
 }
 
 void Inspector::choose(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names,
-                       const std::optional<PartId>& part) {
+                       const std::optional<PartId>& part, double time) {
   if (scene == nullptr) {
     set_frozen(true);
     return;
@@ -196,6 +198,7 @@ void Inspector::choose(std::shared_ptr<const Scene> scene, const std::vector<std
     names_ = names;
     part_ = part;
     bodies_ = bodies_named(*scene_, names_);
+    for (Body& body : bodies_) body = as_seen(std::move(body), time);
     if (other) pulled_.reset();
     show_rows();
     if (std::exchange(played_, plays_) || plays_) follow_run();

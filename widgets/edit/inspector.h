@@ -37,8 +37,10 @@ class Inspector : public QWidget {
 
   // The scene as it stands, or at the shown moment of a run that plays, and the names of the selected bodies.
   // Null: there is none now, nothing can be typed and what is shown stays. A field in which the user types is
-  // left alone as long as the selection is the same.
-  void show_selection(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names);
+  // left alone as long as the selection is the same. `time` (s) of the scene: driven bodies are where they are
+  // then.
+  void show_selection(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names,
+                      double time = 0.0);
   // The same for a joint, a spring or a force.
   void show_part(std::shared_ptr<const Scene> scene, PartId part);
   // The duration and the stops of the runs, which stand with the scene.
@@ -80,7 +82,7 @@ class Inspector : public QWidget {
 
  private:
   void choose(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names,
-              const std::optional<PartId>& part);
+              const std::optional<PartId>& part, double time);
   // Shows a part that was chosen in the list of the scene; nothing: the scene again.
   void open(const std::optional<PartId>& part);
   // Shows a list of the rows, or hides it.

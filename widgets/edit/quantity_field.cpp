@@ -128,16 +128,27 @@ QString QuantityField::value_of(const QString& text) const {
 QString QuantityField::fitted(const QString& text) const {
   constexpr int kMargin = 2;  // px, of a line edit beside its text
   constexpr int kMostDigits = 5;
+  constexpr int kMattering = 3;  // digits that matter more than the unit
   if (text.isEmpty() || values_.empty()) return text;
   QStyleOptionFrame option;
   initStyleOption(&option);
   const int room =
       style()->subElementRect(QStyle::SE_LineEditContents, &option, this).width() - 2 * kMargin - 1;
   const double shown = values_.front() / shown_factor(range_);
-  QString shorter = text;
-  for (int digits = kMostDigits; digits > 0 && fontMetrics().horizontalAdvance(shorter) > room; --digits)
-    shorter = short_figure(shown, digits);
-  return shorter;
+  const auto shortened = [&](int least, int width) {
+    QString shorter = text;
+    for (int digits = kMostDigits; digits >= least && fontMetrics().horizontalAdvance(shorter) > width;
+         --digits)
+      shorter = short_figure(shown, digits);
+    return shorter;
+  };
+  const QString beside_unit = shortened(kMattering, std::min(room, room_beside_unit()));
+  return fontMetrics().horizontalAdvance(beside_unit) <= room_beside_unit() ? beside_unit : shortened(1, room);
+}
+
+int QuantityField::room_beside_unit() const {
+  const QString after = unit_.isEmpty() ? QString() : "  " + unit_;
+  return width() - 2 * kInset - fontMetrics().horizontalAdvance(after);
 }
 
 void QuantityField::keyPressEvent(QKeyEvent* event) {
@@ -182,8 +193,7 @@ void QuantityField::paintEvent(QPaintEvent* event) {
   TypedField::paintEvent(event);
   if (unit_.isEmpty()) return;
   const QString content = text().isEmpty() ? placeholderText() : text();
-  const int room = width() - 2 * kInset - fontMetrics().horizontalAdvance(content + "  ");
-  if (fontMetrics().horizontalAdvance(unit_) > room) return;  // the tooltip has it
+  if (fontMetrics().horizontalAdvance(content) > room_beside_unit()) return;  // the tooltip has it
   QPainter painter(this);
   painter.setPen(palette().color(QPalette::PlaceholderText));
   painter.drawText(rect().adjusted(kInset, 0, -kInset, 0), Qt::AlignRight | Qt::AlignVCenter, unit_);

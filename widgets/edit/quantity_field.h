@@ -50,13 +50,14 @@ class QuantityField : public TypedField {
   // More digits make no number smaller, and none positive.
   [[nodiscard]] QString early_fault(const QString& text) const override;
   [[nodiscard]] QString value_of(const QString& text) const override;
-  // With as many digits as fit.
+  // With as many digits as fit, if possible beside the unit.
   [[nodiscard]] QString fitted(const QString& text) const override;
   void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:
   void step(int steps);
+  [[nodiscard]] int room_beside_unit() const;  // px, for the text
   void set_in_burst(const std::vector<double>& values);
 
   Range range_;

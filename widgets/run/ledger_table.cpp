@@ -150,9 +150,9 @@ LedgerTable::LedgerTable(QWidget* parent)
                                    {"J", 76},
                                    {"", 20},
                                    {"momentum", 130, true},
-                                   {"x / kg·m/s", 84},
-                                   {"y / kg·m/s", 84},
-                                   {"angular / kg·m²/s", 118}},
+                                   {"x / kg m/s", 84},
+                                   {"y / kg m/s", 84},
+                                   {"angular / kg m²/s", 118}},
                                   nullptr),
                   parent) {}
 

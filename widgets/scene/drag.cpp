@@ -18,17 +18,12 @@
 namespace carom {
 namespace {
 
-constexpr double kSpeedStep = 0.1;       // m/s
-constexpr double kDirectionStep = 15.0;  // degrees
-constexpr double kSpinStep = 0.5;        // rad/s
-constexpr double kTurnStep = 5.0;        // degrees
+constexpr double kSpinStep = 0.5;  // rad/s
+constexpr double kTurnStep = 5.0;  // degrees
 constexpr double kLargeTurnStep = 45.0;
 constexpr double kLengthStep = 0.01;  // m
 constexpr double kAtRest = 12.0;      // px from the centre: a velocity drawn from inside the body becomes 0
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
-
-bool free(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
 bool shift(const DragPoint& point) { return point.keys.testFlag(Qt::ShiftModifier); }
 
 // Each by itself: to the centres and corners of others, else to the grid. The one across the axis stays.
@@ -67,7 +62,7 @@ Dragged move(const DragStart& start, const DragPoint& point) {
   }
   grabbed.position += delta;
   Dragged out;
-  if (!free(point)) {
+  if (!is_free(point)) {
     const double reach = kSnapReach / point.scale;
     if (const auto touch = touching_place(grabbed, start.others, reach, axis)) {
       grabbed.position = touch->position;
@@ -106,16 +101,16 @@ Dragged pull_velocity(const DragStart& start, const DragPoint& point) {
   } else if (shift(point)) {
     const Vec2 along = before.norm() > 0.0 ? Vec2(before.normalized()) : Vec2(Vec2::UnitX());
     const double speed = std::max(0.0, along.dot(v));
-    v = (free(point) ? speed : snapped(speed, step)) * along;
-  } else if (!free(point)) {
+    v = (is_free(point) ? speed : snapped(speed, step)) * along;
+  } else if (!is_free(point)) {
     v = snapped(v.norm(), step) * unit_vector(snapped(direction(v), kDirectionStep));
   }
   Dragged out;
   out.bodies = start.bodies;
   for (Body& body : out.bodies) body.velocity += v - before;
   out.bodies[0].velocity = v;
-  const int decimals = decimals_of(step) + (free(point) ? 1 : 0);
-  out.value = velocity_text(v, decimals, free(point) ? 1 : 0);
+  const int decimals = decimals_of(step) + (is_free(point) ? 1 : 0);
+  out.value = velocity_text(v, decimals, is_free(point) ? 1 : 0);
   const auto parts = [decimals](const Vec2& w) {
     return QStringLiteral("(%1, %2)").arg(fixed_text(w.x(), decimals + 1), fixed_text(w.y(), decimals + 1));
   };
@@ -129,13 +124,13 @@ Dragged turn(const DragStart& start, const DragPoint& point) {
   const Vec2 from = start.press - body.position;
   const Vec2 to = point.at - body.position;
   double angle = body.angle + radians(degrees(std::atan2(to.y(), to.x()) - std::atan2(from.y(), from.x())));
-  if (!free(point)) {
+  if (!is_free(point)) {
     angle = radians(snapped(angle * 180.0 / std::numbers::pi, shift(point) ? kLargeTurnStep : kTurnStep));
   }
   Dragged out;
   out.bodies = start.bodies;
   out.bodies[0].angle = angle;
-  out.value = angle_text(angle, free(point) ? 1 : 0);
+  out.value = angle_text(angle, is_free(point) ? 1 : 0);
   out.detail = with_former({}, angle_text(body.angle, 1));
   out.name = "Turn " + name_of_bodies(start.bodies);
   return out;
@@ -145,7 +140,7 @@ Dragged spin(const DragStart& start, const DragPoint& point) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const double before = start.bodies[0].spin;
   double after = before + point.swept / radians(kArcOfSpin);
-  if (!free(point)) after = shift(point) ? kTurn * std::round(after / kTurn) : snapped(after, kSpinStep);
+  if (!is_free(point)) after = shift(point) ? kTurn * std::round(after / kTurn) : snapped(after, kSpinStep);
   Dragged out;
   out.bodies = start.bodies;
   out.bodies[0].spin = after;
@@ -247,13 +242,13 @@ Dragged drag_to(const DragStart& start, const DragPoint& point) {
 }
 
 double drawn_length(double length, const DragPoint& point) {
-  if (free(point)) return std::max(length, 1.0 / point.scale);
+  if (is_free(point)) return std::max(length, 1.0 / point.scale);
   const double step = step_for_mouse(kLengthStep, point.scale);
   return std::max(snapped(length, step), step);
 }
 
 Vec2 drawn_place(const Vec2& at, const DragPoint& point, double grid) {
-  if (free(point)) return at;
+  if (is_free(point)) return at;
   const double step = step_for_mouse(kLengthStep, point.scale);
   Vec2 place = at;
   for (double& c : place) {
@@ -271,7 +266,7 @@ QString size_text(const Shape& shape, const DragPoint& point) {
 }
 
 QString drawn_text(double length, const DragPoint& point) {
-  const double step = step_for_mouse(kLengthStep, point.scale) / (free(point) ? 10.0 : 1.0);
+  const double step = step_for_mouse(kLengthStep, point.scale) / (is_free(point) ? 10.0 : 1.0);
   if (length >= 1.0) return fixed_text(length, decimals_of(step)) + " m";
   return fixed_text(100.0 * length, decimals_of(100.0 * step)) + " cm";
 }

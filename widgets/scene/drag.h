@@ -34,6 +34,9 @@ struct DragPoint {
   double swept{};                // rad, around the centre of the grabbed body since the press
 };
 
+// Whether nothing snaps, and nothing is parted.
+[[nodiscard]] inline bool is_free(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
+
 struct Dragged {
   std::vector<Body> bodies;                     // in the order of the start, then its followers
   QString value;                                // with its unit, for the bubble

@@ -13,8 +13,6 @@ namespace {
 constexpr int kTries = 64;        // places on the way back
 constexpr double kShare = 1e-16;  // of the way: a shorter step is rounding
 
-bool ctrl(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
-
 bool resizes(const DragStart& start) {
   return start.kind != HandleKind::kBody && start.kind != HandleKind::kTurn &&
          start.kind != HandleKind::kVelocity && start.kind != HandleKind::kSpin;
@@ -113,7 +111,7 @@ void hold_by_joints(const DragStart& start, std::span<const Hold> holds, const D
   const auto broken =
       std::find_if(holds.begin(), holds.end(), [&](const Hold& hold) { return !keeps(hold, dragged.bodies); });
   if (broken == holds.end()) return turn_velocities(start, holds, dragged.bodies);
-  if (ctrl(point)) return refit(holds, point, dragged);
+  if (is_free(point)) return refit(holds, point, dragged);
   const auto bodies = held(all_bodies(start), dragged.bodies, holds, start.press);
   if (!bodies) return block(start, *broken, point, dragged);
   dragged.bodies = *bodies;
@@ -154,7 +152,7 @@ void say_overlap(const DragStart& start, const DragPoint& point, Dragged& dragge
   if (dragged.overlaps.empty()) return;
   const QString who = QString::fromStdString(start.bodies[0].name);
   dragged.value = overlap_text(dragged.overlaps[0], point);
-  dragged.detail = ctrl(point)      ? QStringLiteral("They stay so; play parts them.")
+  dragged.detail = is_free(point)   ? QStringLiteral("They stay so; play parts them.")
                    : resizes(start) ? "Let go: " + who + " shrinks until they touch. Ctrl: it stays."
                                     : "Let go: " + who + " moves out. Ctrl: it stays.";
   dragged.fault = true;
@@ -258,7 +256,7 @@ std::optional<Dragged> without_overlaps(const DragStart& start, const Dragged& d
                                         const DragPoint& point) {
   if (dragged.overlaps.empty()) return dragged;
   Dragged out = dragged;
-  if (ctrl(point)) {
+  if (is_free(point)) {
     out.value.prepend(QStringLiteral("⚠ "));
     return out;
   }

@@ -10,9 +10,7 @@
 namespace carom {
 namespace {
 
-constexpr double kSpeedStep = 0.1;       // m/s
-constexpr double kDirectionStep = 15.0;  // degrees
-constexpr double kFrequency = 1.0;       // Hz, to and fro
+constexpr double kFrequency = 1.0;  // Hz, to and fro
 
 // As it stands in the paused scene; null while a run plays.
 const Body* listed(const Frame& frame, const std::string& name) {
@@ -42,7 +40,7 @@ Joined drive(const JointTool& /*tool*/, const JointSight& sight, const LinkEnds&
   out.to = place_of(*sight.frame, ends[1]);
   out.fault = fault_of(sight, ends[0]);
   if (!out.fault.isEmpty()) return out;
-  const bool free = sight.mouse.keys.testFlag(Qt::ControlModifier);
+  const bool free = is_free(sight.mouse);
   Drive drive;
   Vec2 line = out.to - out.from;
   if (sight.mouse.keys.testFlag(Qt::ShiftModifier)) {

@@ -40,6 +40,8 @@ double degrees(double radians) {
   return turned <= -180.0 ? turned + 360.0 : turned;
 }
 
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
 double direction(const Vec2& v) { return degrees(std::atan2(v.y(), v.x())); }
 
 Vec2 unit_vector(double degrees) {

@@ -14,6 +14,7 @@ namespace carom {
 
 // Degrees, from -180 (exclusive) to 180.
 [[nodiscard]] double degrees(double radians);
+[[nodiscard]] double radians(double degrees);  // of any angle
 [[nodiscard]] double direction(const Vec2& v);
 // The unit vector in this direction, without the rounding of cos and sin at right angles.
 [[nodiscard]] Vec2 unit_vector(double degrees);

@@ -10,11 +10,10 @@
 namespace carom {
 namespace {
 
-constexpr double kUsualArrow = 100.0;    // px, for about the body's weight
-constexpr double kLeastGravity = 1.0;    // m/s², of the weight
-constexpr double kSteps = 20.0;          // in the usual arrow
-constexpr double kDirectionStep = 15.0;  // degrees
-constexpr double kRightAngle = 90.0;     // degrees, with Shift
+constexpr double kUsualArrow = 100.0;  // px, for about the body's weight
+constexpr double kLeastGravity = 1.0;  // m/s², of the weight
+constexpr double kSteps = 20.0;        // in the usual arrow
+constexpr double kRightAngle = 90.0;   // degrees, with Shift
 constexpr int kFreeFigures = 3;
 
 // N
@@ -60,7 +59,7 @@ Joined push(const JointTool& /*tool*/, const JointSight& sight, const LinkEnds& 
     out.fault = QStringLiteral("a force begins on a body that moves");
     return out;
   }
-  const bool free = sight.mouse.keys.testFlag(Qt::ControlModifier);
+  const bool free = is_free(sight.mouse);
   const bool axis = sight.mouse.keys.testFlag(Qt::ShiftModifier);
   const double a_newton = metres_per_newton(sight, *body);
   const double step = force_step(sight, a_newton);

@@ -20,8 +20,6 @@ namespace {
 constexpr double kSpringFrequency = 1.0;  // Hz, of the lighter body on a new spring
 constexpr double kCentreReach = 12.0;     // px, from the mouse to the centre that it means
 
-bool free(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
-
 bool moves(const std::optional<Body>& body) { return body && !has_infinite_mass(*body); }
 
 double with_one_figure(double value) { return snapped(value, std::pow(10.0, std::floor(std::log10(value)))); }
@@ -115,7 +113,7 @@ Joined distance_link(const JointTool& tool, const JointSight& sight, const LinkE
 // A place of the plane near the line across a body's motion is put on it: there a rod lets the body move on.
 LinkEnds across_motion(const JointSight& sight, LinkEnds ends) {
   const std::optional<Body> body = body_at_end(*sight.frame, ends[0]);
-  if (free(sight.mouse) || !moves(body) || !ends[1].body.empty()) return ends;
+  if (is_free(sight.mouse) || !moves(body) || !ends[1].body.empty()) return ends;
   const Vec2 held = place_of(*sight.frame, ends[0]);
   const Vec2 motion = body->velocity + body->spin * crossed(held - body->position);
   if (motion.isZero(0.0)) return ends;
@@ -221,7 +219,7 @@ constexpr std::array<JointTool, 7> kJointTools = {{
 // The mouse is so near the centre that it means it, unless Ctrl is down.
 bool near_centre(const Vec2& centre, const JointSight& sight) {
   const double distance = (sight.mouse.at - centre).norm() * sight.camera.scale;
-  return !free(sight.mouse) && distance <= kCentreReach;
+  return !is_free(sight.mouse) && distance <= kCentreReach;
 }
 
 LinkEnd end_on(const Body& body, const JointSight& sight, bool at_centre) {

@@ -18,8 +18,7 @@
 namespace carom {
 namespace {
 
-constexpr double kSpeedStep = 0.1;  // m/s
-constexpr double kTurnStep = 5.0;   // degrees
+constexpr double kTurnStep = 5.0;  // degrees
 constexpr double kLargeTurnStep = 45.0;
 constexpr double kFaster = 10.0;  // with Shift
 constexpr double kLarger = 1.05;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "physics/math/vectors.h"
+#include "widgets/edit/driven.h"
 #include "widgets/scene/drag_limits.h"
 #include "widgets/scene/hit.h"
 #include "widgets/scene/impact_marks.h"
@@ -113,7 +114,7 @@ std::vector<Body> SceneTools::editable(const std::string& first, bool velocities
     if (i >= static_cast<int>(frame->scene->bodies.size())) continue;
     const Body& body = frame->scene->bodies[static_cast<std::size_t>(i)];
     if ((velocities && has_infinite_mass(body)) || locked_.contains(body.name)) continue;
-    bodies.push_back(body);
+    bodies.push_back(as_seen(body, frame->time));
     if (body.name == first) std::swap(bodies.front(), bodies.back());
   }
   return bodies;

@@ -252,8 +252,7 @@ void SceneView::refresh_tools() {
   if (std::exchange(drags_, tools_->dragging()) != tools_->dragging()) emit dragChanged(drags_);
   picture_.overlay = tools_->overlay();
   picture_.overlay.aim = aim_;
-  if (!picture_.overlay.bubble.value.isEmpty())
-    picture_.overlay.bubble.clear_of = obstacles_of(picture_.overlay, picture_.camera);
+  if (!picture_.overlay.bubble.value.isEmpty()) picture_.overlay.bubble.clear_of = around_bubble();
   if (press_ != Press::kPan) show_cursor(last_at_);
   canvas_->update();
 }

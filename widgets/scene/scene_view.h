@@ -169,6 +169,7 @@ class SceneView : public QWidget {
   [[nodiscard]] SceneSight sight() const;
   void show_typing(const QString& first);
   void place_typing();
+  [[nodiscard]] Obstacles around_bubble() const;          // what it stands clear of
   [[nodiscard]] bool on_bubble(const QPointF& at) const;  // whose value a click edits
   void show_cursor(const QPointF& at);
 

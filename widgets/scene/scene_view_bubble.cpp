@@ -22,8 +22,18 @@ void SceneView::place_typing() {
   const auto typed = tools_->typed();
   if (!typed) return;
   Bubble bubble = typed->bubble;
-  bubble.clear_of = obstacles_of(picture_.overlay, picture_.camera);
+  bubble.clear_of = around_bubble();
   typing_->move(place_of(bubble, QSizeF(typing_->size()), picture_.camera.viewport).topLeft().toPoint());
+}
+
+// Chips and their like lie over the picture, and so over a bubble.
+Obstacles SceneView::around_bubble() const {
+  Obstacles around = obstacles_of(picture_.overlay, picture_.camera);
+  for (const QWidget* child : findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+    const bool lies_over = child != canvas_ && child != typing_ && child->isVisible() && !child->isWindow();
+    if (lies_over) around.rects.emplace_back(child->geometry());
+  }
+  return around;
 }
 
 }  // namespace carom

@@ -11,9 +11,8 @@
 namespace carom {
 namespace {
 
-constexpr double kUsualSize = 0.2;       // m, of what a click draws
-constexpr double kLeastSeen = 24.0;      // px, of its size
-constexpr double kDirectionStep = 15.0;  // degrees, of a wall
+constexpr double kUsualSize = 0.2;   // m, of what a click draws
+constexpr double kLeastSeen = 24.0;  // px, of its size
 constexpr int kCornersOfKey = 6;
 
 bool shift(const Stroke& stroke) { return stroke.to.keys.testFlag(Qt::ShiftModifier); }

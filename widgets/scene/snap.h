@@ -11,6 +11,10 @@ namespace carom {
 // px: a snap never holds the mouse farther than this.
 inline constexpr double kSnapReach = 8.0;
 
+// To what velocities and directions snap.
+inline constexpr double kSpeedStep = 0.1;       // m/s
+inline constexpr double kDirectionStep = 15.0;  // degrees
+
 // The nearest multiple of `step` > 0; one of a decimal step is the double nearest to its decimal.
 [[nodiscard]] double snapped(double value, double step);
 // The nearest multiple of `spacing` > 0 if it is within `reach`, else the value itself.

@@ -18,8 +18,6 @@
 namespace carom {
 namespace {
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
-
 QString polar_text(const Vec2& velocity) {
   const QString speed = quantity_text(velocity.norm(), "m/s");
   return velocity.isZero(0.0) ? speed : speed + " at " + quantity_text(radians(direction(velocity)), "rad");

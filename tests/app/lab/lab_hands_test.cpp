@@ -388,5 +388,24 @@ TEST_F(LabHandsTest, UndoSelectsWhatWasSelectedBeforeTheEdit) {
   EXPECT_TRUE(selects({"A"}));
 }
 
+// Dragged from where it is seen, and its ghost stands there.
+TEST_F(LabHandsTest, ADrivenBodyIsDraggedFromWhereItIs) {
+  ASSERT_TRUE(window_.open("moving-piston"));
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->scene && window_.frame()->bodies->size() == 5; }));
+  constexpr int kSteps = 200;  // of 0.01 s: 0.2 m
+  constexpr int kPiston = 1;
+  for (int i = 0; i < kSteps; ++i) window_.session().starts().step_by(1);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->steps == kSteps && window_.frame()->scene; }));
+  const Vec2 seen = window_.frame()->state.position(kPiston);
+  ASSERT_NEAR(seen.x(), 2.3, 1e-12);
+  const Vec2 way(0.2, 0.0);
+  drag(seen, seen + way, Qt::ControlModifier);
+  const double pixel_size = 1.0 / window_.scene_view().camera().scale;
+  ASSERT_TRUE(wait_for([this] { return window_.preset().saved.has_value() && window_.frame()->scene; }));
+  EXPECT_TRUE(wait_for([&] {
+    return (window_.frame()->state.position(kPiston) - seen - way).norm() < 2.0 * pixel_size;
+  })) << window_.frame()->state.position(kPiston).transpose();
+}
+
 }  // namespace
 }  // namespace carom

@@ -5,6 +5,7 @@
 #include "app/lab/drawer.h"
 #include "tests/app/lab/lab_fixture.h"
 #include "tests/support/scenes.h"
+#include "widgets/edit/inspected.h"
 #include "widgets/run/before_after_panel.h"
 #include "widgets/run/impacts_panel.h"
 #include "widgets/run/timeline.h"
@@ -440,6 +441,34 @@ TEST_F(LabPlayheadTest, ASurfaceIsEditedAtOneMomentAndThenAtAnEarlierOne) {
   }));
   window_.session().edits().undo();
   EXPECT_EQ(rubber_of(window_.preset().scene), std::vector<double>{0.9});
+}
+
+// Two bodies that get surfaces of their own at two moments, the later one first, have two.
+TEST_F(LabPlayheadTest, ASurfaceOfOnesOwnLeavesThatOfAnotherBodyAlone) {
+  const auto part = [this](const std::string& name, double from, double to, double restitution) {
+    drag_timeline(from, to);
+    ASSERT_TRUE(wait_for([this] { return window_.session().runs().scene() != nullptr && runs().there(); }));
+    Body body = bodies_named(*window_.session().runs().scene(), {name}).front();
+    Material own = material_named(*window_.session().runs().scene(), body.material);
+    own.name = "wood 2";
+    own.id = {};
+    own.restitution = restitution;
+    body.material = own.name;
+    window_.session().edit({Add<Material>{own, Add<Material>::kAtEnd}, Replace<Body>{body}}, "Surface");
+    ASSERT_TRUE(wait_for([this] { return !runs().in_past() && !runs().replayed(); }));
+  };
+  part("light", 0.9, 0.6, 0.9);
+  part("heavy", 0.55, 0.2, 0.7);
+  const Scene& start = window_.preset().scene;
+  EXPECT_EQ(material_named(start, bodies_named(start, {"light"}).front().material).restitution, 0.9);
+  const Body heavy = bodies_named(start, {"heavy"}).front();
+  EXPECT_EQ(heavy.material, "wood 3");
+  EXPECT_EQ(material_named(start, heavy.material).restitution, 0.7);
+  EXPECT_TRUE(wait_for([&] {
+    const auto scene = window_.frame()->scene;
+    return scene != nullptr &&
+           material_named(*scene, bodies_named(*scene, {"heavy"}).front().material).restitution == 0.7;
+  }));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <algorithm>
@@ -272,6 +273,47 @@ TEST_F(LabTableTest, FollowsTheRuleOfTime) {
   type("1");
   ASSERT_TRUE(wait_for([this] { return time() == 0.0; }));
   EXPECT_EQ(light().velocity.y(), 1.0);
+}
+
+// Where it is at the shown moment, also in the inspector; the scene states where it began.
+TEST_F(LabTableTest, ADrivenBodyIsShownAndEditedWhereItIs) {
+  ASSERT_TRUE(window_.open("moving-piston"));
+  constexpr int kSteps = 50;  // of 0.01 s, in which the piston moves by 0.05 m
+  ASSERT_TRUE(
+      wait_for([this] { return window_.session().runs().scene() && table().model()->rowCount() == 6; }));
+  for (int i = 0; i < kSteps; ++i) window_.session().starts().step_by(1);
+  ASSERT_TRUE(wait_for([this] { return steps() == kSteps && window_.session().runs().scene(); }));
+  constexpr int kPiston = 1;
+  const QModelIndex x = table().model()->index(kPiston, BodiesModel::kX);
+  EXPECT_TRUE(wait_for([&] { return x.data().toString() == "2.450"; })) << x.data().toString().toStdString();
+  click(kPiston, BodiesModel::kBody);
+  ASSERT_TRUE(is_selected("piston"));
+  const auto fields = window_.findChild<Inspector*>()->findChildren<QLineEdit*>();
+  const auto place = std::find_if(fields.begin(), fields.end(), [](const QLineEdit* field) {
+    return field->accessibleName() == "Position x, m";
+  });
+  ASSERT_NE(place, fields.end());
+  EXPECT_EQ((*place)->text(), "2.45");
+  // A place that is typed is one of this moment.
+  click(kPiston, BodiesModel::kX);
+  type("2.4");
+  ASSERT_TRUE(wait_for([this] { return window_.preset().saved.has_value(); }));
+  EXPECT_DOUBLE_EQ(window_.preset().scene.bodies[kPiston].position.x(), 2.45);
+  EXPECT_TRUE(
+      wait_for([this] { return std::abs(window_.frame()->state.position(kPiston).x() - 2.4) < 1e-12; }));
+  EXPECT_TRUE(wait_for([&] { return x.data().toString() == "2.400"; })) << x.data().toString().toStdString();
+}
+
+TEST_F(LabTableTest, AnotherExperimentBeginsAtTheFirstCell) {
+  ASSERT_TRUE(window_.open("gas"));
+  ASSERT_TRUE(
+      wait_for([this] { return window_.session().runs().scene() && table().model()->rowCount() > 100; }));
+  click(90, BodiesModel::kEnergy);
+  ASSERT_GT(table().verticalScrollBar()->value(), 0);
+  ASSERT_TRUE(window_.open("newtons-cradle"));
+  EXPECT_EQ(table().verticalScrollBar()->value(), 0);
+  EXPECT_EQ(table().horizontalScrollBar()->value(), 0);
+  EXPECT_FALSE(table().currentIndex().isValid());
 }
 
 }  // namespace

@@ -16,10 +16,12 @@ class Counted : public FigureModel {
     EXPECT_LT(row, count_);
     return static_cast<double>(row);
   }
-  [[nodiscard]] bool is_sum(int /*row*/) const override { return false; }
+  void set_sum(int row) { sum_ = row; }
+  [[nodiscard]] bool is_sum(int row) const override { return row == sum_; }
 
  private:
   int count_ = 0;
+  int sum_ = -1;
 };
 
 // A view may change its current row, and be laid out anew, while rows go.
@@ -36,6 +38,22 @@ TEST(FigureTable, WhatGoneRowsShowedIsNotRead) {
   model.set_count(2);
   EXPECT_EQ(read, 5);
   EXPECT_EQ(model.rowCount(), 2);
+}
+
+// With what theory says of it in the rows below.
+TEST(FigureTable, ASumStaysInSightWithTheRowsUnderIt) {
+  auto* model = new Counted;
+  FigureTable table(model, nullptr);
+  constexpr int kSum = 17;
+  model->set_sum(kSum);
+  model->set_count(kSum + 3);
+  table.resize(200, 180);
+  table.show();
+  const int height = table.viewport()->height();
+  ASSERT_LT(height, table.rowViewportPosition(kSum));
+  for (int row = kSum; row < kSum + 3; ++row)
+    EXPECT_LT(table.visualRect(model->index(row, 0)).bottom(), height);
+  EXPECT_GE(table.visualRect(model->index(kSum, 0)).top(), 0);
 }
 
 }  // namespace

@@ -229,7 +229,7 @@ TEST_F(BodiesSheetTest, TheMenuOfTheHeadShowsAndHidesColumns) {
   key(Qt::Key_C, Qt::ControlModifier);
   EXPECT_TRUE(QGuiApplication::clipboard()->text().startsWith(
       "body\tm / kg\tx / m\ty / m\tvx / m/s\tvy / m/s\tvx from centre / m/s\tvy from centre / m/s\t"
-      "spin / rad/s\te\tp / kg·m/s\tpx / kg·m/s\tpy / kg·m/s\tK / J\n"));
+      "spin / rad/s\te\tp / kg m/s\tpx / kg m/s\tpy / kg m/s\tK / J\n"));
   sheet_.show_columns({"L"});
   EXPECT_FALSE(is_shown(Column::kEnergy));
   EXPECT_TRUE(is_shown(Column::kAngularMomentum));
@@ -334,6 +334,26 @@ TEST_F(BodiesSheetTest, PastesAsASpreadsheetDoesInOneStep) {
   EXPECT_EQ(rows->fault(1, Column::kMass), nullptr);
 }
 
+// Several cells go into several cells; one goes into what is typed.
+TEST_F(BodiesSheetTest, PastesCellsAlsoWhileOneIsTyped) {
+  click(0, Column::kMass);
+  keys("7");
+  ASSERT_NE(field(), nullptr);
+  QGuiApplication::clipboard()->setText("2\t0.5\n3\t0.75\n");
+  key(Qt::Key_V, Qt::ControlModifier);
+  EXPECT_EQ(field(), nullptr);
+  EXPECT_EQ(now(0).mass, 2.0);
+  EXPECT_EQ(now(1).position.x(), 0.75);
+  EXPECT_EQ(names_, std::vector<QString>{"Paste 4 values"});
+  click(0, Column::kMass);
+  keys("1");
+  QGuiApplication::clipboard()->setText(".5\n");
+  key(Qt::Key_V, Qt::ControlModifier);
+  ASSERT_NE(field(), nullptr);
+  key(Qt::Key_Return);
+  EXPECT_EQ(now(0).mass, 1.5);
+}
+
 TEST_F(BodiesSheetTest, CopiesTheMarkedCellsAndComesBackUnchanged) {
   click(0, Column::kMass);
   key(Qt::Key_Down, Qt::ShiftModifier);
@@ -420,6 +440,21 @@ TEST_F(BodiesSheetTest, SumsThatCancelAreZero) {
   EXPECT_EQ(text(3, Column::kVelocityY), "0");
   EXPECT_EQ(text(3, Column::kX), "0");
   EXPECT_EQ(text(3, Column::kVelocityX), "0.5000");
+}
+
+// What rests on a floor keeps velocities of rounding.
+TEST_F(BodiesSheetTest, WhatRestsHasNoSpeedsOfRounding) {
+  std::vector<Body> bodies = {body("A", 1.0, 0.3), body("B", 2.0, -0.1)};
+  bodies[0].velocity = Vec2(1.6e-15, -8.2e-15);
+  bodies[1].velocity = Vec2(0.0, 1.1e-15);
+  bodies[1].spin = -3e-16;
+  show(bodies);
+  for (int row = 0; row < 3; ++row) {
+    for (const int column : {Column::kVelocityX, Column::kVelocityY, Column::kMomentumX, Column::kMomentumY,
+                             Column::kAngularMomentum, Column::kEnergy})
+      EXPECT_EQ(text(row, column), "0") << row << ", " << column;
+  }
+  EXPECT_EQ(text(1, Column::kSpin), "0");
 }
 
 TEST_F(BodiesSheetTest, CanBeReadAloud) {

@@ -331,6 +331,10 @@ TEST_F(InspectorTest, ANumberHasAsManyDigitsAsFit) {
   EXPECT_TRUE(made_.empty()) << "nothing was typed";
   x->clearFocus();
   EXPECT_LT(x->text().size(), 9);
+  // The unit first needs the last of many digits, then gives way.
+  x->setFixedWidth(x->fontMetrics().horizontalAdvance(QString(QChar(0x2212)) + "0.0265  m") + 18);
+  QApplication::processEvents();
+  EXPECT_EQ(x->text(), QString(QChar(0x2212)) + "0.0265");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(RunTables, AreCopiedWithEveryDigit) {
   ASSERT_EQ(lines.size(), 1 + 3 + 1) << "each with its end";
   EXPECT_EQ(lines[0],
             "body\tm / kg\tv before / m/s, x\tv before / m/s, y\tv after / m/s, x\tv after / m/s, y\t"
-            "p before / kg·m/s, x\tp before / kg·m/s, y\tp after / kg·m/s, x\tp after / kg·m/s, y\t"
+            "p before / kg m/s, x\tp before / kg m/s, y\tp after / kg m/s, x\tp after / kg m/s, y\t"
             "K before / J\tK after / J");
   const QStringList a = lines[1].split('\t');
   ASSERT_EQ(a.size(), 12);

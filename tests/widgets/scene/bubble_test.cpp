@@ -25,6 +25,17 @@ class BubbleTest : public SceneToolsTest {
   }
 };
 
+// A chip lies over the view, where the mouse goes.
+TEST_F(BubbleTest, StandsClearOfWhatLiesOverTheView) {
+  answers_ = true;
+  ASSERT_NO_FATAL_FAILURE(pull_to(QPoint(280, 150)));
+  QWidget chip(&view_);
+  chip.setGeometry(rect().toRect().adjusted(10, 10, 40, 0));
+  chip.show();
+  move(QPoint(281, 151));
+  EXPECT_FALSE(rect().intersects(QRectF(chip.geometry())));
+}
+
 TEST_F(BubbleTest, StandsClearOfTheWayToTheFirstImpact) {
   answers_ = true;
   ASSERT_NO_FATAL_FAILURE(pull_to(QPoint(280, 150)));
