@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "physics/run/simulation.h"
+#include "physics/step/step_work.h"
 
 namespace carom {
 

@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "physics/record/jump_moment.h"
-#include "physics/record/replay.h"
 #include "physics/record/sampler.h"
 #include "physics/run/met_stop.h"
-#include "physics/run/simulation.h"
 #include "physics/scene/stop.h"
 
 namespace carom {
+
+class Simulation;
+struct KeyFrame;  // physics/record/replay.h
 
 // A joint at one moment, in world coordinates.
 struct JointState {

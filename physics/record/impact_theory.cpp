@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/ledger/totals.h"
 #include "physics/math/vectors.h"
 
 namespace carom {

@@ -7,9 +7,10 @@
 #include "physics/ledger/impact_record.h"
 #include "physics/model/compiled_scene.h"
 #include "physics/run/run_setup.h"
-#include "physics/run/simulation.h"
 
 namespace carom {
+
+class Simulation;
 
 // The impacts of one moment with the states before and after each. Constant once made.
 struct JumpMoment {

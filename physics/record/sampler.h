@@ -12,10 +12,11 @@
 #include "physics/observe/observables.h"
 #include "physics/observe/quantity.h"
 #include "physics/run/run_setup.h"
-#include "physics/run/simulation.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
+
+class Simulation;
 
 // Speeds of all free bodies, in their order, at the end of one step.
 struct SpeedMoment {

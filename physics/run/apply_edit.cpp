@@ -10,6 +10,7 @@
 #include "physics/run/checkpoint.h"
 #include "physics/run/scene_now.h"
 #include "physics/run/simulation.h"
+#include "physics/run/simulation_parts.h"
 #include "physics/scene/drive.h"
 #include "physics/scene/edit_rules.h"
 
@@ -208,9 +209,9 @@ void Simulation::apply(const SceneEdits& edits) {
   ledger.momentum_from_user += totals_now.momentum - totals_before.momentum;
   ledger.angular_momentum_from_user += totals_now.angular_momentum - totals_before.angular_momentum;
   next.go_on_from(carried);
-  next.world_.clock = world_.clock;
-  next.world_.work = world_.work;
-  next.world_.log.records_jumps = world_.log.records_jumps;
+  next.parts_->world.clock = parts_->world.clock;
+  next.parts_->world.work = parts_->world.work;
+  next.parts_->world.log.records_jumps = parts_->world.log.records_jumps;
   next.edits_ = edits_;
   next.edits_applied_ = edits_applied_;
   *this = std::move(next);

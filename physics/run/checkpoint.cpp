@@ -6,6 +6,7 @@
 #include "physics/dynamics/integrators/method_fields.h"
 #include "physics/run/run_state.h"
 #include "physics/run/simulation.h"
+#include "physics/run/simulation_parts.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/range_check.h"
 #include "physics/scene/value_checks.h"
@@ -95,11 +96,11 @@ void check_contacts(const std::vector<Body>& bodies, const Checkpoint& s) {
 
 Checkpoint Simulation::checkpoint() const {
   TrajectoryState trajectories;
-  world_.trajectories.keep(trajectories, nullptr);
+  parts_->world.trajectories.keep(trajectories, nullptr);
   Checkpoint kept;
   kept.method = method();
   kept.steps = steps();
-  kept.sums = world_.sums;
+  kept.sums = parts_->world.sums;
   kept.sums.ledger = ledger();
   kept.sums.gravity_since = time();
   kept.sums.notices = notices();
@@ -108,14 +109,14 @@ Checkpoint Simulation::checkpoint() const {
   kept.engaged = std::move(trajectories.engaged);
   kept.taut = std::move(trajectories.taut);
   kept.released_at = std::move(trajectories.released_at);
-  for (BodyIndex i{0}; i < world_.bodies(); ++i) {
-    const int island = world_.trajectories.island_of(i);
+  for (BodyIndex i{0}; i < parts_->world.bodies(); ++i) {
+    const int island = parts_->world.trajectories.island_of(i);
     kept.next_step.push_back(island < 0 ? 0.0 : trajectories.next_step[static_cast<std::size_t>(island)]);
   }
-  if (const auto* events = std::get_if<EventDrivenImpacts>(&impacts_)) kept.waiting = events->waiting();
-  if (resting_) {
-    kept.contacts = resting_->memory().forces;
-    kept.support = resting_->memory().support;
+  if (const auto* events = std::get_if<EventDrivenImpacts>(&parts_->impacts)) kept.waiting = events->waiting();
+  if (parts_->resting) {
+    kept.contacts = parts_->resting->memory().forces;
+    kept.support = parts_->resting->memory().support;
   }
   return kept;
 }
@@ -123,7 +124,7 @@ Checkpoint Simulation::checkpoint() const {
 void Simulation::go_on_from(const SavedRun& saved) {
   if (saved.fingerprint == 0) return;
   if (saved.checkpoint == nullptr || !state_belongs(compiled_->scene, saved)) {
-    world_.note(&Notices::state_left_since, saved.time);
+    parts_->world.note(&Notices::state_left_since, saved.time);
     return;
   }
   go_on_from(*saved.checkpoint);
@@ -146,8 +147,8 @@ void Simulation::go_on_from(const Checkpoint& from) {
   trajectories.switches_missed_since = from.sums.notices.switches_missed_since;
   trajectories.lost_to_joints = from.sums.ledger.lost_to_joints;
   if (from.method == method()) {
-    for (int k = 0; k < world_.trajectories.islands(); ++k) {
-      const auto first = static_cast<std::size_t>(world_.trajectories.members(k).front());
+    for (int k = 0; k < parts_->world.trajectories.islands(); ++k) {
+      const auto first = static_cast<std::size_t>(parts_->world.trajectories.members(k).front());
       trajectories.next_step[static_cast<std::size_t>(k)] = from.next_step[first];
     }
     state.waiting = from.waiting;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "physics/run/simulation.h"
+#include "physics/run/simulation_parts.h"
 
 // Keeps and restores all of a simulation between two steps.
 namespace carom {
@@ -11,7 +12,7 @@ RunState Simulation::run_state() const {
   // All members by name: a new member doesn't compile here until it is either saved or known to be set before
   // it is read.
   [[maybe_unused]] const auto& [model, method, apply_impact, trajectories, state, clock, sums, log, work] =
-      world_;
+      parts_->world;
   RunState kept;
   kept.method = method;
   kept.clock = clock;
@@ -19,12 +20,12 @@ RunState Simulation::run_state() const {
   kept.work = work.kept();
   kept.motions = state;
   kept.edits_applied = edits_applied_;
-  if (const auto* events = std::get_if<EventDrivenImpacts>(&impacts_)) {
+  if (const auto* events = std::get_if<EventDrivenImpacts>(&parts_->impacts)) {
     kept.at_once = events->at_once();
     kept.waiting = events->waiting();
-    if (!resting_) kept.ahead = events->ahead(world_);
+    if (!parts_->resting) kept.ahead = events->ahead(parts_->world);
   }
-  if (resting_) kept.contacts = resting_->memory();
+  if (parts_->resting) kept.contacts = parts_->resting->memory();
   trajectories.keep(kept.trajectories, kept.ahead ? &kept.ahead->trajectories : nullptr);
   return kept;
 }
@@ -35,21 +36,21 @@ Simulation::Simulation(std::shared_ptr<const CompiledScene> compiled, const RunS
 }
 
 void Simulation::restore(const RunState& state) {
-  if (!(state.method == world_.method)) {
-    world_.method = state.method;
-    world_.trajectories.set_method(state.method);
+  if (!(state.method == parts_->world.method)) {
+    parts_->world.method = state.method;
+    parts_->world.trajectories.set_method(state.method);
     choose_strategies();
   }
-  world_.clock = state.clock;
-  world_.clock.step_end = state.clock.time;
-  world_.sums = state.sums;
-  world_.work.restore(state.work);
-  world_.state = state.motions;
+  parts_->world.clock = state.clock;
+  parts_->world.clock.step_end = state.clock.time;
+  parts_->world.sums = state.sums;
+  parts_->world.work.restore(state.work);
+  parts_->world.state = state.motions;
   edits_applied_ = state.edits_applied;
-  world_.trajectories.restore(state.trajectories, state.ahead ? &state.ahead->trajectories : nullptr);
-  if (auto* events = std::get_if<EventDrivenImpacts>(&impacts_))
-    events->restore(world_.bodies(), state.at_once, state.waiting, state.ahead);
-  if (resting_) resting_->restore(state.contacts);
+  parts_->world.trajectories.restore(state.trajectories, state.ahead ? &state.ahead->trajectories : nullptr);
+  if (auto* events = std::get_if<EventDrivenImpacts>(&parts_->impacts))
+    events->restore(parts_->world.bodies(), state.at_once, state.waiting, state.ahead);
+  if (parts_->resting) parts_->resting->restore(state.contacts);
 }
 
 }  // namespace carom

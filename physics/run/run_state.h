@@ -2,15 +2,17 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "physics/dynamics/state.h"
 #include "physics/dynamics/trajectory_state.h"
 #include "physics/ledger/run_sums.h"
 #include "physics/scene/method.h"
 #include "physics/scene/scene.h"
-#include "physics/step/event_driven_impacts.h"
-#include "physics/step/resting_contacts.h"
+#include "physics/step/contact_force.h"
+#include "physics/step/pair_list.h"
 #include "physics/step/run_clock.h"
+#include "physics/step/schedule_state.h"
 #include "physics/step/step_work.h"
 
 namespace carom {

@@ -5,6 +5,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/model/bodies_by_name.h"
+#include "physics/run/simulation_parts.h"
 #include "physics/scene/validate.h"
 
 namespace carom {
@@ -32,28 +33,67 @@ Simulation::Simulation(const RunSetup& setup, const Needs& needs)
 }
 
 Simulation::Simulation(std::shared_ptr<const CompiledScene> compiled, const Method& method)
-    : compiled_(std::move(compiled)), world_({compiled_, &compiled_->model}, method) {
+    : compiled_(std::move(compiled)),
+      parts_(std::make_unique<SimulationParts>(
+          World(std::shared_ptr<const Model>(compiled_, &compiled_->model), method))) {
   choose_strategies();
 }
 
+Simulation::Simulation(const Simulation& other)
+    : compiled_(other.compiled_),
+      parts_(std::make_unique<SimulationParts>(*other.parts_)),
+      lost_(other.lost_),
+      edits_(other.edits_),
+      edits_applied_(other.edits_applied_) {}
+
+Simulation::Simulation(Simulation&& other) noexcept = default;
+
+Simulation& Simulation::operator=(const Simulation& other) { return *this = Simulation(other); }
+
+Simulation& Simulation::operator=(Simulation&& other) noexcept = default;
+
+Simulation::~Simulation() = default;
+
+void Simulation::interrupt_on(std::stop_token stop) { parts_->world.work.stop_on(std::move(stop)); }
+const std::shared_ptr<const Model>& Simulation::model() const { return parts_->world.model; }
+double Simulation::time() const { return parts_->world.clock.time; }
+std::int64_t Simulation::steps() const { return parts_->world.clock.steps; }
+std::int64_t Simulation::impact_count() const { return parts_->world.sums.impact_count; }
+const ImpactCounts& Simulation::impact_counts() const { return parts_->world.sums.impact_counts; }
+std::int64_t Simulation::evaluations() const { return parts_->world.trajectories.evaluations(); }
+std::int64_t Simulation::rejected_steps() const { return parts_->world.trajectories.rejected_steps(); }
+const State& Simulation::state() const { return parts_->world.state; }
+const MassProperties& Simulation::mass() const { return parts_->world.mass(); }
+const Geometry& Simulation::shapes() const { return parts_->world.shapes(); }
+const WeldedBodies& Simulation::welded() const { return parts_->world.trajectories.welded(); }
+bool Simulation::is_taut(JointIndex joint) const { return parts_->world.trajectories.is_taut(joint); }
+double Simulation::length(JointIndex joint) const { return parts_->world.trajectories.length(joint); }
+const ForceField& Simulation::field() const { return parts_->world.field(); }
+const Method& Simulation::method() const { return parts_->world.method; }
+Totals Simulation::totals() const { return parts_->world.totals(); }
+Ledger Simulation::ledger() const { return parts_->world.ledger(); }
+const std::vector<ImpactRecord>& Simulation::last_impacts() const { return parts_->world.log.records; }
+const std::vector<Jump>& Simulation::last_jumps() const { return parts_->world.log.jumps; }
+void Simulation::watch_impacts(bool on) { parts_->world.log.records_jumps = on; }
+
 // Chooses the strategies of the method, without any memory.
 void Simulation::choose_strategies() {
-  if (world_.method.impacts == ImpactsId::kLocated) {
-    impacts_.emplace<EventDrivenImpacts>().reset(world_.bodies());
+  if (parts_->world.method.impacts == ImpactsId::kLocated) {
+    parts_->impacts.emplace<EventDrivenImpacts>().reset(parts_->world.bodies());
   } else {
-    impacts_.emplace<StepEndImpacts>();
+    parts_->impacts.emplace<StepEndImpacts>();
   }
-  resting_.reset();
-  if (contacts_last(world_.method, needs())) {
-    resting_.emplace();
-  } else if (needs().has(Part::kRestingContacts) && has_laws_of_rest(world_.model->surfaces)) {
-    world_.note(&Notices::laws_of_rest_unused_since, time());
+  parts_->resting.reset();
+  if (contacts_last(parts_->world.method, needs())) {
+    parts_->resting.emplace();
+  } else if (needs().has(Part::kRestingContacts) && has_laws_of_rest(parts_->world.model->surfaces)) {
+    parts_->world.note(&Notices::laws_of_rest_unused_since, time());
   }
 }
 
 void Simulation::count_pairs(const std::vector<std::pair<std::string, std::string>>& names) {
   const auto index = bodies_by_name(bodies());
-  ImpactCounts& counts = world_.sums.impact_counts;
+  ImpactCounts& counts = parts_->world.sums.impact_counts;
   const ImpactCounts saved = counts;
   counts.pairs.clear();
   const std::int64_t before = impact_count() == 0 ? 0 : ImpactCounts::kNotKnown;
@@ -68,7 +108,7 @@ void Simulation::count_pairs(const std::vector<std::pair<std::string, std::strin
 
 std::vector<Joint> Simulation::joints() const {
   std::vector<Joint> joints = compiled_->scene.joints;
-  for (const Weld& weld : world_.trajectories.welds()) {
+  for (const Weld& weld : parts_->world.trajectories.welds()) {
     Joint& joint = joints.emplace_back();
     joint.kind = JointKind::kWeld;
     joint.body = bodies()[static_cast<std::size_t>(weld.body)].name;
@@ -82,11 +122,11 @@ std::vector<Joint> Simulation::joints() const {
 
 void Simulation::set_method(const Method& method) {
   if (lost_) return;
-  Trajectories& trajectories = world_.trajectories;
-  world_.method = method;
+  Trajectories& trajectories = parts_->world.trajectories;
+  parts_->world.method = method;
   // Trajectories that continue across steps are advanced here; the others were at the step's end.
   for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, time() - trajectories.epoch());
-  if (resting_) resting_->release(world_);
+  if (parts_->resting) parts_->resting->release(parts_->world);
   trajectories.set_method(method);
   trajectories.begin(time());
   choose_strategies();
@@ -94,15 +134,15 @@ void Simulation::set_method(const Method& method) {
 
 // The hand that pulls already is at another place from now on.
 void Simulation::move_hand(const Vec2& place) {
-  Trajectories& trajectories = world_.trajectories;
+  Trajectories& trajectories = parts_->world.trajectories;
   trajectories.set_hand_place(place);
-  auto* impacts = std::get_if<EventDrivenImpacts>(&impacts_);
-  if (impacts == nullptr || !choice_of(kIntegrators, world_.method.integrator).adaptive) return;
+  auto* impacts = std::get_if<EventDrivenImpacts>(&parts_->impacts);
+  if (impacts == nullptr || !choice_of(kIntegrators, parts_->world.method.integrator).adaptive) return;
   // Trajectories that continue across steps begin anew.
   for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, time() - trajectories.epoch());
   trajectories.begin(time());
   const std::vector<WaitingPair> waiting = impacts->waiting();
-  impacts->restore(world_.bodies(), impacts->at_once(), waiting, std::nullopt);
+  impacts->restore(parts_->world.bodies(), impacts->at_once(), waiting, std::nullopt);
 }
 
 void Simulation::set_edits(std::vector<RunEdit> edits) {
@@ -127,10 +167,10 @@ void Simulation::apply_due() {
 }
 
 Notices Simulation::notices() const {
-  Notices notices = world_.sums.notices;
-  notices.tolerance_missed_since = world_.trajectories.tolerance_missed_since();
-  notices.joints_missed_since = world_.trajectories.joints_missed_since();
-  notices.switches_missed_since = world_.trajectories.switches_missed_since();
+  Notices notices = parts_->world.sums.notices;
+  notices.tolerance_missed_since = parts_->world.trajectories.tolerance_missed_since();
+  notices.joints_missed_since = parts_->world.trajectories.joints_missed_since();
+  notices.switches_missed_since = parts_->world.trajectories.switches_missed_since();
   return notices;
 }
 
@@ -147,7 +187,7 @@ std::string Simulation::status() const {
 
 const std::vector<ContactForce>& Simulation::contact_forces() const {
   static const std::vector<ContactForce> kNone;
-  return resting_ ? resting_->forces() : kNone;
+  return parts_->resting ? parts_->resting->forces() : kNone;
 }
 
 void Simulation::apply_all_due() {
@@ -156,17 +196,17 @@ void Simulation::apply_all_due() {
 
 void Simulation::step() {
   apply_all_due();  // another method may have another step
-  step(world_.method.step);
+  step(parts_->world.method.step);
 }
 
 void Simulation::step(double h) {
-  world_.log.clear();
+  parts_->world.log.clear();
   apply_all_due();
   if (lost_) return;
-  last_good_.state = world_.state;
-  last_good_.sums = world_.sums;
-  world_.trajectories.begin_step();
-  world_.work.begin(world_.bodies(), h);
+  parts_->last_good.state = parts_->world.state;
+  parts_->last_good.sums = parts_->world.sums;
+  parts_->world.trajectories.begin_step();
+  parts_->world.work.begin(parts_->world.bodies(), h);
   try {
     make_step(h);
   } catch (const LostMotion& lost) {
@@ -175,27 +215,27 @@ void Simulation::step(double h) {
 }
 
 void Simulation::make_step(double h) {
-  world_.clock.begin_step(h);
-  RestingContacts* resting = resting_ ? &*resting_ : nullptr;
+  parts_->world.clock.begin_step(h);
+  RestingContacts* resting = parts_->resting ? &*parts_->resting : nullptr;
   if (resting != nullptr) {
-    resting->begin_step(world_, h);
+    resting->begin_step(parts_->world, h);
     // Without it, a step's parts are supported one by one.
-    if (world_.method.impacts == ImpactsId::kLocated) resting->support(world_, h, true);
+    if (parts_->world.method.impacts == ImpactsId::kLocated) resting->support(parts_->world, h, true);
   }
-  std::visit([&](auto& impacts) { impacts.step(world_, resting, h); }, impacts_);
-  settle_contact_forces(world_.trajectories, world_.bodies());
-  world_.check_motions();
-  world_.clock.end_step();
-  world_.check_energy();
+  std::visit([&](auto& impacts) { impacts.step(parts_->world, resting, h); }, parts_->impacts);
+  settle_contact_forces(parts_->world.trajectories, parts_->world.bodies());
+  parts_->world.check_motions();
+  parts_->world.clock.end_step();
+  parts_->world.check_energy();
 }
 
 void Simulation::give_up(const LostMotion& lost) {
-  lost_ = LostRun{lost.reason, lost.body, std::min(lost.time, world_.clock.step_end)};
-  world_.state = last_good_.state;
-  world_.sums = last_good_.sums;
-  world_.trajectories.undo_step();
-  world_.log.clear();
-  if (resting_) resting_->forget_forces();
+  lost_ = LostRun{lost.reason, lost.body, std::min(lost.time, parts_->world.clock.step_end)};
+  parts_->world.state = parts_->last_good.state;
+  parts_->world.sums = parts_->last_good.sums;
+  parts_->world.trajectories.undo_step();
+  parts_->world.log.clear();
+  if (parts_->resting) parts_->resting->forget_forces();
 }
 
 }  // namespace carom

@@ -7,21 +7,27 @@
 #include <stop_token>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "physics/dynamics/state.h"
+#include "physics/ledger/impact_counts.h"
+#include "physics/ledger/impact_record.h"
+#include "physics/ledger/ledger.h"
+#include "physics/ledger/notices.h"
+#include "physics/ledger/totals.h"
+#include "physics/math/vectors.h"
 #include "physics/model/compiled_scene.h"
 #include "physics/run/lost_run.h"
 #include "physics/run/run_setup.h"
-#include "physics/step/event_driven_impacts.h"
-#include "physics/step/resting_contacts.h"
-#include "physics/step/step_end_impacts.h"
-#include "physics/step/world.h"
+#include "physics/step/contact_force.h"
+#include "physics/step/run_clock.h"
 
 namespace carom {
 
-struct Checkpoint;  // physics/run/checkpoint.h
-struct RunState;    // physics/run/run_state.h
+struct Checkpoint;       // physics/run/checkpoint.h
+struct RunState;         // physics/run/run_state.h
+struct SimulationParts;  // physics/run/simulation_parts.h
+struct LostMotion;       // physics/dynamics/lost_motion.h
 
 // A scene in motion: one world under one method. A value: copies are independent and share only the compiled
 // scene.
@@ -44,6 +50,11 @@ class Simulation {
   Simulation(std::shared_ptr<const CompiledScene> compiled, const Method& method);
   // At a later moment: `state` is from a run of the same scene, which continues here bit by bit.
   Simulation(std::shared_ptr<const CompiledScene> compiled, const RunState& state);
+  Simulation(const Simulation& other);
+  Simulation(Simulation&& other) noexcept;
+  Simulation& operator=(const Simulation& other);
+  Simulation& operator=(Simulation&& other) noexcept;
+  ~Simulation();
 
   // One step of the method's length.
   void step();
@@ -52,14 +63,14 @@ class Simulation {
   // stays where it is, and a step does nothing.
   void step(double h);
   // Steps end early once a stop is requested.
-  void interrupt_on(std::stop_token stop) { world_.work.stop_on(std::move(stop)); }
+  void interrupt_on(std::stop_token stop);
   // Steps until `time`, with a last shorter step if needed, and calls after_step() after each. Whole steps
   // keep time = start + k h without summing. Edits that are due at `time` are made too.
   template <class AfterStep>
   void advance_to(double time, const AfterStep& after_step) {
     while (!lost_) {
       apply_all_due();
-      const double h = step_towards(time, this->time(), world_.method.step);
+      const double h = step_towards(time, this->time(), method().step);
       if (h == 0.0) return;
       step(h);
       if (!lost_) after_step();
@@ -71,31 +82,27 @@ class Simulation {
 
   // The scene as it was at the start, or at the last edit of it, and its model.
   [[nodiscard]] const std::shared_ptr<const CompiledScene>& compiled() const { return compiled_; }
-  [[nodiscard]] const std::shared_ptr<const Model>& model() const { return world_.model; }
-  [[nodiscard]] double time() const { return world_.clock.time; }
-  [[nodiscard]] std::int64_t steps() const { return world_.clock.steps; }
-  [[nodiscard]] std::int64_t impact_count() const { return world_.sums.impact_count; }
+  [[nodiscard]] const std::shared_ptr<const Model>& model() const;
+  [[nodiscard]] double time() const;
+  [[nodiscard]] std::int64_t steps() const;
+  [[nodiscard]] std::int64_t impact_count() const;
   // With the pairs named in the setup.
-  [[nodiscard]] const ImpactCounts& impact_counts() const { return world_.sums.impact_counts; }
+  [[nodiscard]] const ImpactCounts& impact_counts() const;
   // Evaluations of the right-hand side, each body counted, and steps rejected by the error control.
-  [[nodiscard]] std::int64_t evaluations() const { return world_.trajectories.evaluations(); }
-  [[nodiscard]] std::int64_t rejected_steps() const { return world_.trajectories.rejected_steps(); }
-  [[nodiscard]] const State& state() const { return world_.state; }
+  [[nodiscard]] std::int64_t evaluations() const;
+  [[nodiscard]] std::int64_t rejected_steps() const;
+  [[nodiscard]] const State& state() const;
   [[nodiscard]] const std::vector<Body>& bodies() const { return compiled_->scene.bodies; }
-  [[nodiscard]] const MassProperties& mass() const { return world_.mass(); }
-  [[nodiscard]] const Geometry& shapes() const { return world_.shapes(); }
+  [[nodiscard]] const MassProperties& mass() const;
+  [[nodiscard]] const Geometry& shapes() const;
   // Those of the scene, then a weld for each impact after which two bodies stuck together.
   [[nodiscard]] std::vector<Joint> joints() const;
   // The bodies that are one, by a weld of the scene or of the run.
-  [[nodiscard]] const WeldedBodies& welded() const { return world_.trajectories.welded(); }
-  [[nodiscard]] bool is_taut(JointIndex joint) const {
-    return world_.trajectories.is_taut(joint);
-  }  // of a string
-  [[nodiscard]] double length(JointIndex joint) const {
-    return world_.trajectories.length(joint);
-  }  // m, of a rod or a string
-  [[nodiscard]] const ForceField& field() const { return world_.field(); }
-  [[nodiscard]] const Method& method() const { return world_.method; }
+  [[nodiscard]] const WeldedBodies& welded() const;
+  [[nodiscard]] bool is_taut(JointIndex joint) const;   // of a string
+  [[nodiscard]] double length(JointIndex joint) const;  // m, of a rod or a string
+  [[nodiscard]] const ForceField& field() const;
+  [[nodiscard]] const Method& method() const;
   [[nodiscard]] const Needs& needs() const { return compiled_->needs; }
   [[nodiscard]] Notices notices() const;
   // In one line, "ok" if there are none, and in a few words each; bodies have their names.
@@ -105,15 +112,15 @@ class Simulation {
   [[nodiscard]] const std::optional<LostRun>& lost() const { return lost_; }
   // notices_text(), and why the run can't continue.
   [[nodiscard]] std::string status() const;
-  [[nodiscard]] Totals totals() const { return world_.totals(); }
+  [[nodiscard]] Totals totals() const;
   [[nodiscard]] Totals totals_of(const State& state) const { return carom::totals(state, mass(), field()); }
   // With the work of the smooth forces up to now.
-  [[nodiscard]] Ledger ledger() const { return world_.ledger(); }
+  [[nodiscard]] Ledger ledger() const;
   // The impacts of the last call of step(), in the order of time.
-  [[nodiscard]] const std::vector<ImpactRecord>& last_impacts() const { return world_.log.records; }
+  [[nodiscard]] const std::vector<ImpactRecord>& last_impacts() const;
   // The jumps of the first of these, one each, if watch_impacts(true) was called.
-  [[nodiscard]] const std::vector<Jump>& last_jumps() const { return world_.log.jumps; }
-  void watch_impacts(bool on) { world_.log.records_jumps = on; }
+  [[nodiscard]] const std::vector<Jump>& last_jumps() const;
+  void watch_impacts(bool on);
   // The contact forces of the last step; empty without resting contacts.
   [[nodiscard]] const std::vector<ContactForce>& contact_forces() const;
 
@@ -137,12 +144,6 @@ class Simulation {
   [[nodiscard]] Checkpoint checkpoint() const;
 
  private:
-  // Motions and sums at the end of the last good step.
-  struct LastGood {
-    State state;
-    RunSums sums;
-  };
-
   [[nodiscard]] Notices::BodyName body_name() const;
   void apply_all_due();
   void choose_strategies();
@@ -155,11 +156,8 @@ class Simulation {
   void restore(const RunState& state);
 
   std::shared_ptr<const CompiledScene> compiled_;
-  World world_;  // of its model
-  std::variant<StepEndImpacts, EventDrivenImpacts> impacts_;
-  std::optional<RestingContacts> resting_;
+  std::unique_ptr<SimulationParts> parts_;  // those that move
   std::optional<LostRun> lost_;
-  LastGood last_good_;
   std::shared_ptr<const std::vector<RunEdit>> edits_ = std::make_shared<const std::vector<RunEdit>>();
   std::size_t edits_applied_ = 0;
 };

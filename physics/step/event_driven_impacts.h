@@ -12,27 +12,10 @@
 #include "physics/step/pair_list.h"
 #include "physics/step/penetrations.h"
 #include "physics/step/resting_contacts.h"
+#include "physics/step/schedule_state.h"
 #include "physics/step/world.h"
 
 namespace carom {
-
-// Pending events of trajectories that continue across the ends of steps: scheduled impacts, and pairs that
-// wait for the next step's end. Times in s after the epoch.
-struct ScheduleState {
-  // As in Event: bodies a < b collide, or (b < 0) the trajectory of a's island ends.
-  struct Scheduled {
-    double time = 0.0;
-    BodyIndex a;
-    BodyIndex b;
-  };
-  TrajectoriesAhead trajectories;
-  CellGrid::Order grid;
-  std::vector<Scheduled> events;  // in the order of (time, a, b)
-  double reach = 1.0;             // m
-  double stretch = 1.0;           // of trajectories, if too many ended
-  double epoch_length = 1.0;      // s, a power of two
-  double last_impact = -1.0;
-};
 
 // Impacts at their own time. Each body, or each group of bodies that forces couple, has its own time, that of
 // its last impact, and a trajectory from there on (physics/dynamics/trajectories.h). The first contact of two

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <vector>
 
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/run/simulation.h"
 #include "tests/support/draws.h"
 #include "tests/support/scenes.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/dynamics/integrators/integrators.h"
 #include "tests/support/scenes.h"
 
 // A box in a corner of a room, where its own corner is the end of both contacts: floor and wall hold it both,

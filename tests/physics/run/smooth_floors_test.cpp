@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/run/simulation.h"
 #include "tests/support/draws.h"
 #include "tests/support/scenes.h"

@@ -1,3 +1,5 @@
+#include "physics/step/step_work.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/run/simulation.h"
 #include "tests/support/draws.h"
 #include "tests/support/scenes.h"
