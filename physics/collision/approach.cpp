@@ -16,9 +16,14 @@ struct Moving {
   Twist twist{};
 };
 
+enum class Place {
+  kMiddle,  // if that approaches
+  kFastest
+};
+
 // With `parts`, of these two alone; else of all.
-Approach approach(const Geometry& g, const Moving& a, const Moving& b, double tolerance,
-                  const ShapePair* parts) {
+Approach approach(const Geometry& g, const Moving& a, const Moving& b, double tolerance, const ShapePair* parts,
+                  Place place = Place::kMiddle) {
   // Along the normal a disc's surface moves like its centre.
   const auto normal_speed = [&](const Moving& m, const Contact& c) {
     double speed = m.twist.velocity.dot(c.normal);
@@ -40,7 +45,8 @@ Approach approach(const Geometry& g, const Moving& a, const Moving& b, double to
   approach.scale = fastest(a) + fastest(b);
   const bool several = parts == nullptr && (g.has_parts(a.body) || g.has_parts(b.body));
   if ((g.is_disc(a.body) || g.is_disc(b.body)) && !several) return approach;
-  if (approach.speed < -16.0 * std::numeric_limits<double>::epsilon() * approach.scale) return approach;
+  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * approach.scale;
+  if (place == Place::kMiddle && approach.speed < -rounding) return approach;
   const double margin = std::max(approach.contact.gap, 0.0) + tolerance;
   const auto look_at = [&](const Manifold& ends) {
     for (int k = 0; k < ends.count; ++k) {
@@ -71,6 +77,13 @@ Approach approach_of(const Geometry& g, BodyIndex a, const Eigen::Vector3d& qa, 
                      BodyIndex b, const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance,
                      const ShapePair& parts) {
   return approach(g, {a, g.pose(a, qa), twist_a}, {b, g.pose(b, qb), twist_b}, tolerance, &parts);
+}
+
+Approach fastest_approach_of(const Geometry& g, BodyIndex a, const Eigen::Vector3d& qa, const Twist& twist_a,
+                             BodyIndex b, const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance,
+                             const ShapePair& parts) {
+  return approach(g, {a, g.pose(a, qa), twist_a}, {b, g.pose(b, qb), twist_b}, tolerance, &parts,
+                  Place::kFastest);
 }
 
 }  // namespace carom

@@ -24,5 +24,9 @@ struct Approach {
 [[nodiscard]] Approach approach_of(const Geometry& g, BodyIndex a, const Eigen::Vector3d& qa,
                                    const Twist& twist_a, BodyIndex b, const Eigen::Vector3d& qb,
                                    const Twist& twist_b, double tolerance, const ShapePair& parts);
+// Where of that stretch these two parts approach fastest: its middle may all but rest meanwhile.
+[[nodiscard]] Approach fastest_approach_of(const Geometry& g, BodyIndex a, const Eigen::Vector3d& qa,
+                                           const Twist& twist_a, BodyIndex b, const Eigen::Vector3d& qb,
+                                           const Twist& twist_b, double tolerance, const ShapePair& parts);
 
 }  // namespace carom

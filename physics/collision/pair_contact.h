@@ -76,10 +76,16 @@ inline constexpr unsigned kFeatureBits = 10;
 inline constexpr unsigned kPartBits = 11;
 
 [[nodiscard]] inline std::uint32_t parts_of(std::uint32_t id) { return id >> kFeatureBits; }
+// Which shapes of the two bodies, from 0 on.
+[[nodiscard]] inline std::pair<std::uint32_t, std::uint32_t> part_numbers(std::uint32_t id) {
+  return {id >> kFeatureBits & ((1U << kPartBits) - 1U), id >> (kFeatureBits + kPartBits)};
+}
 
 // Of two parts.
 [[nodiscard]] Manifold manifold(const Geometry& g, BodyIndex a, ShapeIndex part_a, const Pose& pose_a,
                                 BodyIndex b, ShapeIndex part_b, const Pose& pose_b, double margin);
+// Whether the two bodies have those: an id that a file holds may name others.
+[[nodiscard]] bool has_parts_at(const Geometry& g, BodyIndex a, BodyIndex b, std::uint32_t id);
 // The parts of a and b that a point of this id belongs to.
 [[nodiscard]] ShapePair parts_at(const Geometry& g, BodyIndex a, BodyIndex b, std::uint32_t id);
 // Of those parts.

@@ -92,6 +92,8 @@ Wedge wedge_at(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const
 
 bool opposite(const Vec2& m, const Vec2& n) { return (m + n).squaredNorm() <= kParallel * kParallel; }
 
+bool parallel(const Vec2& m, const Vec2& n) { return (m - n).squaredNorm() <= kParallel * kParallel; }
+
 // Of the tolerance: a point that has sunk so far between two neighbours has done so from their edge.
 constexpr double kSunk = 1e3;
 // Likewise of one that has sunk into a neighbour, from its surface; and of the neighbour's radius.
@@ -168,6 +170,25 @@ bool neighbour_covers(const ConvexShapes& shapes, ShapeIndex owner, const Pose& 
     return covers(normal);
   const Vec2 aside = 2.0 * kParallel * crossed(normal);
   return covers(normal + aside) || covers(normal - aside);
+}
+
+bool lies_over_seam(const ConvexShapes& shapes, ShapeIndex owner, const Pose& pose_owner, ShapeIndex neighbour,
+                    const Pose& pose_neighbour, ShapeIndex toucher, const Pose& pose_toucher, const Vec2& point,
+                    const Vec2& normal, double tolerance) {
+  const double reach = shapes.radius[neighbour] + tolerance;
+  if ((point - pose_neighbour.position).squaredNorm() > reach * reach) return false;
+  // The ends of rounded faces are not told from the rest.
+  if (shapes.rounding[toucher] > 0.0 || shapes.core[toucher] == Core::kPoint) return false;
+  const Wedge over = wedge_at(shapes, toucher, pose_toucher, point, -normal, tolerance);
+  if (over.where != Wedge::kSurface || !parallel(over.low, over.high) || !opposite(over.low, normal))
+    return false;
+  const Wedge here = wedge_at(shapes, owner, pose_owner, point, normal, tolerance);
+  const Wedge there = wedge_at(shapes, neighbour, pose_neighbour, point, normal, tolerance);
+  if (here.where != Wedge::kSurface || there.where != Wedge::kSurface) return false;
+  const auto side_by_side = [&](const Wedge& first, const Wedge& second) {
+    return opposite(first.high, second.low) && parallel(first.low, normal) && parallel(second.high, normal);
+  };
+  return side_by_side(here, there) || side_by_side(there, here);
 }
 
 bool has_face(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& normal) {

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
+#include "physics/collision/pair_contact.h"
 #include "physics/math/vectors.h"
 #include "physics/scene/drive.h"
 #include "physics/step/coming_to_rest.h"
+#include "physics/step/contact_finder.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -16,13 +19,30 @@ namespace {
 constexpr double kNoise = 1.6e-9;
 constexpr double kRounding = 256.0 * std::numeric_limits<double>::epsilon();
 
-// Adds `sign` times a contact force to the accelerations of one of its bodies.
-void add_force(const World& world, const ContactForce& f, const Eigen::Vector3d& support, BodyIndex body,
-               double sign, Eigen::Ref<Eigen::Vector3d> acceleration) {
+// Relative to the size: a contact whose bodies move on by more in a step has gone to another place, or is gone.
+constexpr double kMovedOn = 0.02;
+
+// Of a body by a contact force at this point, m/s² and rad/s².
+Eigen::Vector3d acceleration_by(const World& world, const ContactForce& f, const Eigen::Vector3d& support,
+                                const Vec2& point, BodyIndex body) {
   const Vec2 force = support[0] * f.normal + support[1] * crossed(f.normal);
-  const Vec2 arm = f.point - world.trajectories.at_start(body).head<2>();
-  acceleration.head<2>() += sign * world.mass().inverse_mass[body] * force;
-  acceleration[2] += sign * world.mass().inverse_inertia[body] * (cross(arm, force) + support[2]);
+  const Vec2 arm = point - world.trajectories.at_start(body).head<2>();
+  const Vec2 moved = world.mass().inverse_mass[body] * force;
+  return {moved.x(), moved.y(), world.mass().inverse_inertia[body] * (cross(arm, force) + support[2])};
+}
+
+// m: where the contact of a force of the last step is now; nothing if it is gone.
+std::optional<Vec2> place_now(const World& world, const ContactForce& f, double step_length) {
+  const Motion a = world.trajectories.at_start(f.a);
+  const Motion b = world.trajectories.at_start(f.b);
+  const double moves = step_length * (b.segment<2>(3) - a.segment<2>(3)).norm();
+  if (!(moves > kMovedOn * smaller_size(world, f.a, f.b))) return f.point;
+  const Geometry& g = world.shapes();
+  if (!has_parts_at(g, f.a, f.b, f.id)) return std::nullopt;
+  const Manifold m = manifold_of(g, f.a, g.pose(f.a, a.head<3>()), f.b, g.pose(f.b, b.head<3>()), f.id, moves);
+  const int k = point_with(m, f.id);
+  if (k < 0) return std::nullopt;
+  return m.points[static_cast<std::size_t>(k)].point;
 }
 
 }  // namespace
@@ -40,16 +60,27 @@ void ContactPressing::find(World& world, double step_length, const ContactMemory
   }
   change_by_forces_ = step_length * acceleration_.topRows<2>().colwise().norm().maxCoeff();
   noise_ = kNoise * change_by_forces_ + kRounding * world.state.v.topRows<2>().cwiseAbs().maxCoeff();
-  update(world, memory);
+  pressing_ = acceleration_;
+  pushes_.assign(memory.support.size(), {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+  for (std::size_t k = 0; k < memory.support.size(); ++k) {
+    const std::optional<Vec2> place = place_now(world, memory.forces[k], step_length);
+    if (place) push(world, memory, k, *place);
+  }
 }
 
 void ContactPressing::update(const World& world, const ContactMemory& memory) {
   pressing_ = acceleration_;
-  for (std::size_t k = 0; k < memory.support.size(); ++k) {
-    const ContactForce& f = memory.forces[k];
-    add_force(world, f, memory.support[k], f.a, -1.0, pressing_.col(f.a));
-    add_force(world, f, memory.support[k], f.b, 1.0, pressing_.col(f.b));
-  }
+  pushes_.resize(memory.support.size());
+  for (std::size_t k = 0; k < memory.support.size(); ++k) push(world, memory, k, memory.forces[k].point);
+}
+
+// Force k of the memory, at this point.
+void ContactPressing::push(const World& world, const ContactMemory& memory, std::size_t k, const Vec2& point) {
+  const ContactForce& f = memory.forces[k];
+  pushes_[k] = {-acceleration_by(world, f, memory.support[k], point, f.a),
+                acceleration_by(world, f, memory.support[k], point, f.b)};
+  pressing_.col(f.a) += pushes_[k].of_a;
+  pressing_.col(f.b) += pushes_[k].of_b;
 }
 
 double ContactPressing::between(const World& world, const ContactMemory& memory, BodyIndex a, BodyIndex b,
@@ -61,8 +92,8 @@ double ContactPressing::between(const World& world, const ContactMemory& memory,
   auto k = static_cast<std::size_t>(std::lower_bound(forces.begin(), forces.end(), std::pair(a, b), before) -
                                     forces.begin());
   for (; k < memory.support.size() && forces[k].a == a && forces[k].b == b; ++k) {
-    add_force(world, forces[k], memory.support[k], a, 1.0, of_a);
-    add_force(world, forces[k], memory.support[k], b, -1.0, of_b);
+    of_a -= pushes_[k].of_a;
+    of_b -= pushes_[k].of_b;
   }
   const Vec2 arm_a = point - world.trajectories.at_start(a).head<2>();
   const Vec2 arm_b = point - world.trajectories.at_start(b).head<2>();

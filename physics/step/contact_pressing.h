@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <vector>
 
 #include "physics/step/contact_force.h"
 #include "physics/step/world.h"
@@ -30,7 +32,15 @@ class ContactPressing {
   [[nodiscard]] double acceleration(BodyIndex body) const { return acceleration_.col(body).head<2>().norm(); }
 
  private:
+  // Accelerations of its two bodies by a contact force, m/s² and rad/s².
+  struct Push {
+    Eigen::Vector3d of_a;
+    Eigen::Vector3d of_b;
+  };
+  void push(const World& world, const ContactMemory& memory, std::size_t k, const Vec2& point);
+
   double step_length_ = 0.0;       // s
+  std::vector<Push> pushes_;       // parallel to the forces of the memory
   Eigen::Matrix3Xd acceleration_;  // m/s², rad/s²: of all other forces
   Eigen::Matrix3Xd pressing_;      // likewise, of all forces
   double noise_ = 0.0;

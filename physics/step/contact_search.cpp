@@ -109,13 +109,9 @@ struct Paths {
                                   double tolerance) const {
     return approach_of(shapes, a, at(a, t), twist(a, t), b, at(b, t), twist(b, t), tolerance, parts);
   }
-  // The same whole.
-  [[nodiscard]] Motion motion(BodyIndex i, double t) const {
-    const Twist own = twist(i, t);
-    Motion motion = Motion::Zero();
-    motion.head<3>() = at(i, t);
-    motion.segment<3>(3) << own.velocity, own.spin;
-    return motion;
+  [[nodiscard]] Approach fastest_approach(BodyIndex a, BodyIndex b, const ShapePair& parts, double t,
+                                          double tolerance) const {
+    return fastest_approach_of(shapes, a, at(a, t), twist(a, t), b, at(b, t), twist(b, t), tolerance, parts);
   }
 };
 
@@ -201,8 +197,8 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
       path_bound + around_bodies(world, a, b, parts), trajectories.turn_bound(a), trajectories.turn_bound(b));
   const double tolerance = touch_tolerance(world, a, b, end - begin);
   const bool resting = rules.rests(a, b);
-  const auto waits = [&](double t, const Approach& at) {
-    return fastest_closing(world, a, paths.motion(a, t), b, paths.motion(b, t), at.contact, tolerance) <=
+  const auto waits = [&](double t) {
+    return -paths.fastest_approach(a, b, parts, t, tolerance).speed <=
            pressed_in(world, a, b, world.method.step);
   };
   double start = begin;
@@ -212,7 +208,7 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
     const Twist twist_b = paths.twist(b, begin);
     const Approach now =
         approach_of(shapes, a, paths.at(a, begin), twist_a, b, paths.at(b, begin), twist_b, tolerance, parts);
-    if (resting && waits(begin, now)) return {};
+    if (resting && waits(begin)) return {};
     if (now.speed < -rules.closing_share * now.scale) return {NextContact::kImpact, begin};
     if (bound == 0.0) {
       if (first.gap < -tolerance) return {NextContact::kPenetrating, begin};
@@ -247,7 +243,7 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
   const auto time = first_contact(paid, start, first, end, last, bound, tolerance, limit);
   if (limit.reached && !resting) world.note(&Notices::search_cut_since, trajectories.epoch() + start, {a, b});
   if (!time) return {};
-  if (resting && waits(*time, paths.approach(a, b, parts, *time, tolerance))) return {};
+  if (resting && waits(*time)) return {};
   return {NextContact::kImpact, *time};
 }
 

@@ -318,8 +318,10 @@ bool EventDrivenImpacts::comes_to_rest(const Step& step, BodyIndex a, BodyIndex 
   World& world = step.world;
   const double restitution = world.material(contact, a, b).restitution;
   if (step.resting == nullptr || !step.may_divide || !(restitution < 1.0)) return false;
-  const double closing = fastest_closing(world, a, world.trajectories.at_start(a), b,
-                                         world.trajectories.at_start(b), contact, touch_tolerance(world, a, b));
+  const double closing = -world
+                              .fastest_approach(a, b, touch_tolerance(world, a, b),
+                                                world.shapes().parts_or_first(contact.parts, a, b))
+                              .speed;
   return restitution * closing < last_rebound(world, *step.resting, a, b, contact, restitution);
 }
 

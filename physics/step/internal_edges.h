@@ -63,4 +63,35 @@ template <class PoseOf>
   });
 }
 
+// Whether this contact of a and b is none of the ends of the stretch along which they touch: a face lies over
+// the place where two bodies of infinite mass at rest make one face, or two shapes of one body.
+template <class PoseOf>
+[[nodiscard]] bool on_seam_of_face(const World& world, BodyIndex a, BodyIndex b, const Contact& contact,
+                                   std::span<const BodyIndex> others, const PoseOf& pose) {
+  const Geometry& g = world.shapes();
+  const ShapePair parts = g.parts_or_first(contact.parts, a, b);
+  const auto rests = [&](BodyIndex i) { return world.infinite_mass(i) && !world.model->is_kinematic(i); };
+  const auto on_seam_of = [&](BodyIndex owner, ShapeIndex part, BodyIndex toucher, ShapeIndex touching,
+                              const Vec2& normal) {
+    if (g.is_disc(owner) || g.is_disc(toucher)) return false;
+    const double tolerance = kFlush * (g.size[owner] + g.size[toucher]) + 1e-12 * contact.point.lpNorm<1>();
+    const auto continues = [&](BodyIndex other) {
+      bool any = false;
+      g.each_part(other, [&](ShapeIndex piece) {
+        any = any || (piece != part && lies_over_seam(g.shapes, part, g.part_pose(owner, part, pose(owner)),
+                                                      piece, g.part_pose(other, piece, pose(other)), touching,
+                                                      g.part_pose(toucher, touching, pose(toucher)),
+                                                      contact.point, normal, tolerance));
+      });
+      return any;
+    };
+    if (g.has_parts(owner) && continues(owner)) return true;
+    return rests(owner) && std::any_of(others.begin(), others.end(), [&](BodyIndex other) {
+             return other != owner && rests(other) && world.can_collide(other, toucher) && continues(other);
+           });
+  };
+  return on_seam_of(a, parts.a, b, parts.b, contact.normal) ||
+         on_seam_of(b, parts.b, a, parts.a, -contact.normal);
+}
+
 }  // namespace carom

@@ -45,23 +45,6 @@ double touch_tolerance(const World& world, BodyIndex a, BodyIndex b, double dura
   return 16.0 * kEpsilon * (reach + speeds * time);
 }
 
-double fastest_closing(const World& world, BodyIndex a, const Motion& motion_a, BodyIndex b,
-                       const Motion& motion_b, const Contact& contact, double tolerance) {
-  const Geometry& g = world.shapes();
-  const auto closing = [&](const Contact& at) {
-    return -contact_velocity(at.normal, at.point - motion_a.head<2>(), at.point - motion_b.head<2>(),
-                             motion_a.segment<3>(3), motion_b.segment<3>(3))
-                .normal;
-  };
-  double fastest = closing(contact);
-  if (g.is_disc(a) || g.is_disc(b)) return fastest;
-  const ShapePair parts = g.parts_or_first(contact.parts, a, b);
-  const Manifold ends = manifold(g, a, parts.a, g.pose(a, motion_a.head<3>()), b, parts.b,
-                                 g.pose(b, motion_b.head<3>()), std::max(contact.gap, 0.0) + tolerance);
-  for (int k = 0; k < ends.count; ++k) fastest = std::max(fastest, closing(ends.contact(k)));
-  return fastest;
-}
-
 double gap_in_flight(World& world, BodyIndex a, BodyIndex b, const ShapePair& parts, double within) {
   const auto pose = [&](BodyIndex i) {
     return world.shapes().pose(i, world.trajectories.at(i, within).head<3>());

@@ -22,10 +22,6 @@ inline constexpr double kTogether = 1e-9;
 // m: how far apart two parts of the pair are, on their trajectories `within` s after the epoch.
 [[nodiscard]] double gap_in_flight(World& world, BodyIndex a, BodyIndex b, const ShapePair& parts,
                                    double within);
-// m/s: how fast two bodies close at the end of this contact, of a face, that closes fastest; its middle may all
-// but rest meanwhile. The ends are within `tolerance` (m) of the contact's gap.
-[[nodiscard]] double fastest_closing(const World& world, BodyIndex a, const Motion& motion_a, BodyIndex b,
-                                     const Motion& motion_b, const Contact& contact, double tolerance);
 // m/s²: curvature bound of the relative paths of two bodies' points; `of_centres` is that of their centres.
 [[nodiscard]] double curvature(const World& world, BodyIndex a, BodyIndex b, double of_centres);
 // m/s²: about what their turning alone adds to the relative acceleration of two bodies at contact i.

@@ -92,6 +92,8 @@ class RestingContacts {
   void stop_approaches(World& world, double h);
   void find_forces(World& world, double h);
   double improve_forces(World& world, double h, double least);
+  [[nodiscard]] std::optional<Approach> rebound(const World& world, BodyIndex a, BodyIndex b,
+                                                const ShapePair& parts) const;
   void remember_forces(double h);
   ContactSolverReport solve_flight(World& world, double h, const ContactSolverOptions& options);
   ContactSolverReport solve(const World& world, const Eigen::Matrix3Xd& from,

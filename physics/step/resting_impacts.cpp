@@ -62,6 +62,24 @@ void RestingContacts::land(World& world, const LandingTime& landing) const {
     apply_impact(world, a, b, contact, material, landing.time);
 }
 
+// How two parts approach that rebound by the law of impacts, as they are faster than a contact may rest: in the
+// middle of a face, or where an end of it still closes.
+std::optional<Approach> RestingContacts::rebound(const World& world, BodyIndex a, BodyIndex b,
+                                                 const ShapePair& parts) const {
+  const double tolerance = touch_tolerance(world, a, b);
+  const auto rebounds = [&](const Approach& at) {
+    const SurfaceLaw& material = world.material(at.contact, a, b);
+    return impact_speed(material, -at.speed) >
+           rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
+  };
+  Approach at = world.approach(a, b, tolerance, parts);
+  if (rebounds(at)) return at;
+  if (world.shapes().is_disc(a) || world.shapes().is_disc(b)) return std::nullopt;
+  at = world.fastest_approach(a, b, tolerance, parts);
+  if (rebounds(at)) return at;
+  return std::nullopt;
+}
+
 // Where impacts are not located in time, pairs that would meet within the step rebound now by the law of
 // impacts, before they can penetrate: in the order in which they would meet, those of one moment at once. In
 // the next round so do those that close by then. What still closes after kMostStrikes rounds is stopped.
@@ -73,15 +91,13 @@ void RestingContacts::strike(World& world, double h) {
   const auto meeting = [&](BodyIndex a, BodyIndex b, const ShapePair& parts) -> std::optional<Approach> {
     const bool several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
     if (!world.can_collide(a, b)) return std::nullopt;  // one body by now
-    const Approach at = world.approach(a, b, 0.0, parts);
-    const SurfaceLaw& material = world.material(at.contact, a, b);
-    const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
-    if (!(impact_speed(material, -at.speed) > rest)) return std::nullopt;
+    const std::optional<Approach> at = rebound(world, a, b, parts);
+    if (!at) return std::nullopt;
     // What comes to touch at the step's end, to rounding, meets in the next step.
-    if (-at.speed * (1.0 - kSameMoment) * h < at.contact.gap) return std::nullopt;
+    if (-at->speed * (1.0 - kSameMoment) * h < at->contact.gap) return std::nullopt;
     // Forces and joints may lead past each other what goes straight on into each other.
-    if (at.contact.gap > 0.0 && gap_in_flight(world, a, b, parts, h) > 0.0) return std::nullopt;
-    if (several && on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
+    if (at->contact.gap > 0.0 && gap_in_flight(world, a, b, parts, h) > 0.0) return std::nullopt;
+    if (several && on_internal_edge(world, a, b, at->contact, finder_.neighbours().of_pair(world, a, b), pose))
       return std::nullopt;
     return at;
   };
@@ -149,20 +165,18 @@ void RestingContacts::rebound_at_end(World& world, const std::vector<BodyPair>& 
   const double now = world.clock.step_end - world.trajectories.epoch();
   const auto pose = [&](BodyIndex i) { return pose_at_start(world, i); };
   // Of two parts.
-  const auto rebound = [&](BodyIndex a, BodyIndex b, const ShapePair& parts) {
+  const auto rebound_parts = [&](BodyIndex a, BodyIndex b, const ShapePair& parts) {
     ImpactEffect effect = ImpactEffect::kNone;
     const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
     for (int k = 0; k < most && effect != ImpactEffect::kJoined; ++k) {
-      const Approach at = world.approach(a, b, 0.0, parts);
-      if (at.contact.gap >= 0.0) break;
-      const SurfaceLaw& material = world.material(at.contact, a, b);
+      const std::optional<Approach> at = rebound(world, a, b, parts);
+      if (!at || at->contact.gap >= 0.0) break;
+      const SurfaceLaw& material = world.material(at->contact, a, b);
       if (material.restitution == 0.0 && !material.sticks) break;
       if (may_be_continued(world, a, b) &&
-          on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
+          on_internal_edge(world, a, b, at->contact, finder_.neighbours().of_pair(world, a, b), pose))
         break;
-      const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
-      if (!(impact_speed(material, -at.speed) > rest)) break;
-      effect = apply_impact(world, a, b, at.contact, material, now);
+      effect = apply_impact(world, a, b, at->contact, material, now);
     }
     return effect;
   };
@@ -173,7 +187,7 @@ void RestingContacts::rebound_at_end(World& world, const std::vector<BodyPair>& 
     if (one_surface && !rebounds(world.material({}, a, b))) continue;
     ImpactEffect effect = ImpactEffect::kNone;
     world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
-      if (effect != ImpactEffect::kJoined) effect = rebound(a, b, ShapePair{part_a, part_b});
+      if (effect != ImpactEffect::kJoined) effect = rebound_parts(a, b, ShapePair{part_a, part_b});
     });
   }
 }

@@ -80,6 +80,13 @@ Approach World::approach(BodyIndex a, BodyIndex b, double tolerance, const Shape
                      {yb.segment<2>(3), yb[5]}, tolerance, parts);
 }
 
+Approach World::fastest_approach(BodyIndex a, BodyIndex b, double tolerance, const ShapePair& parts) const {
+  const auto ya = trajectories.at_start(a);
+  const auto yb = trajectories.at_start(b);
+  return fastest_approach_of(shapes(), a, ya.head<3>(), {ya.segment<2>(3), ya[5]}, b, yb.head<3>(),
+                             {yb.segment<2>(3), yb[5]}, tolerance, parts);
+}
+
 void World::restore_joints(int island) {
   const auto totals_now = [&] {
     for (const BodyIndex i : trajectories.members(island)) state.set_motion(i, trajectories.at_start(i));

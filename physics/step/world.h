@@ -72,6 +72,9 @@ struct World {
   [[nodiscard]] double parting_speed(BodyIndex a, BodyIndex b, const Contact& contact) const;
   // At the start of the trajectories; gaps up to `tolerance` (m) above the smallest count as touching.
   [[nodiscard]] Approach approach(BodyIndex a, BodyIndex b, double tolerance, const ShapePair& parts) const;
+  // Likewise, at the place where they approach fastest.
+  [[nodiscard]] Approach fastest_approach(BodyIndex a, BodyIndex b, double tolerance,
+                                          const ShapePair& parts) const;
   // After a push has moved a body: projects positions and velocities of its island onto the joints. The
   // energy counts as the push's, the momentum as that of the joints' anchors.
   void restore_joints(int island);

@@ -124,6 +124,33 @@ TEST(SmoothFloors, RandomOnesDoNotCatch) {
   }
 }
 
+// A flat box moves on by up to half of its length in a step, over boxes narrower than itself: what held a
+// corner in the step before is far behind it, or another of them holds it now.
+TEST(SmoothFloors, AFastBoxStaysFlatOnNarrowOnes) {
+  test::Draws draw(7);
+  for (int k = 0; k < 40; ++k) {
+    const double h = draw.between(0.005, 0.02);
+    const double speed = draw.between(0.2, 0.5) * 0.5 / h;
+    std::vector<double> widths{1.0};
+    for (int i = 0; i < 8; ++i) widths.push_back(draw.between(0.2, 0.9));
+    widths.push_back(10.0);
+    Body box = mover(true, speed);
+    box.shape = Box{0.5, 0.2};
+    box.position.y() = 0.1;
+    RunSetup s = over(floor_of(widths), box, 0.0);
+    s.scene.materials[0].restitution = draw.between(0.0, 0.9);
+    s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, h};
+    Simulation run(s);
+    const Eigen::Index last = run.state().size() - 1;
+    for (int step = 0; step < 30; ++step) {
+      run.step();
+      ASSERT_LT(std::abs(run.state().q(2, last)), 1e-5)
+          << k << ", " << speed << " m/s, h = " << h << ", " << run.time();
+    }
+    EXPECT_NEAR(run.state().v(0, last), speed, 1e-5) << k;
+  }
+}
+
 // With impacts at the step's end a corner sinks before it is seen. Where two flush boxes meet it has sunk
 // between them: it is pushed out along their common surface, whether they are bodies or shapes of one.
 TEST(SmoothFloors, ACornerThatSinksWhereTwoMeetIsPushedUp) {

@@ -111,7 +111,9 @@ TEST(SupportedHits, RandomOnesHaveTheirRestitution) {
 TEST(SupportedHits, ACornerThatAHitTurnsDownHitsTheFloor) {
   constexpr double kInertia = (0.2 * 0.2 + 0.1 * 0.1) / 12.0;
   constexpr double kLow = 0.03;  // m, of the hit below the centre
-  for (const double restitution : {0.5, 1.0}) {
+  for (const auto& [restitution, impacts] :
+       {std::pair(0.5, ImpactsId::kLocated), std::pair(1.0, ImpactsId::kLocated),
+        std::pair(1.0, ImpactsId::kStepEnd)}) {
     const double hit = (1.0 + restitution) * 2.0 / (2.0 + kLow * kLow / kInertia);
     const double spin = -kLow * hit / kInertia;
     const double push = (1.0 + restitution) * -0.1 * spin / (1.0 + 0.01 / kInertia);
@@ -122,6 +124,7 @@ TEST(SupportedHits, ACornerThatAHitTurnsDownHitsTheFloor) {
              test::disc("ball", {0.12 + way, 0.05 - kLow}, {-2.0, 0.0}, 0.02)},
             restitution);
         s.scene.forces.gravity = {0.0, -9.81};
+        s.method.impacts = impacts;
         s.method.contacts = ContactsId::kLasting;
         s.method.step = h;
         Simulation run(s);
