@@ -135,10 +135,4 @@ struct Start {
 // The best reference that the scene allows; none where it would be costly.
 [[nodiscard]] ReferenceId first_reference(const Preset& preset);
 
-// Gives every part that has none an id, bodies that come in later too.
-void give_ids(Preset& preset);
-
-// Gives new parts their ids, so that the start and the runs know them by the same.
-void number_new_parts(const Scene& start, SceneEdits& edits);
-
 }  // namespace carom

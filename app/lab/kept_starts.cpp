@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "app/lab/new_parts.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
 

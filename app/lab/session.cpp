@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/lab/new_parts.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/fingerprint.h"
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/lab/new_parts.h"
 #include "app/lab/refusal_text.h"
 #include "app/lab/session.h"
 #include "physics/preset/preset_file.h"

@@ -10,7 +10,7 @@ SceneEdits as_stated(SceneEdits edits, const Scene& scene, double time) {
     if (replace == nullptr) continue;
     Body& body = replace->part;
     const Body* stated = part_of(scene.bodies, body.id);
-    if (stated == nullptr || !stated->drive || body.position == stated->position) continue;
+    if (stated == nullptr || !stated->drive) continue;
     if (body.position == as_seen(*stated, time).position) {
       body.position = stated->position;  // without rounding: it was not moved
     } else if (body.drive) {

@@ -63,7 +63,7 @@ Joined drive(const JointTool& /*tool*/, const JointSight& sight, const LinkEnds&
   }
   out.to = out.from + line;
   out.name = "Drive " + QString::fromStdString(ends[0].body);
-  out.edits = {Replace<Body>{driven(*listed(*sight.frame, ends[0].body), drive)}};
+  out.edits = {Replace<Body>{driven(as_seen(*listed(*sight.frame, ends[0].body), sight.frame->time), drive)}};
   return out;
 }
 

@@ -302,6 +302,11 @@ TEST_F(LabTableTest, ADrivenBodyIsShownAndEditedWhereItIs) {
   EXPECT_TRUE(
       wait_for([this] { return std::abs(window_.frame()->state.position(kPiston).x() - 2.4) < 1e-12; }));
   EXPECT_TRUE(wait_for([&] { return x.data().toString() == "2.400"; })) << x.data().toString().toStdString();
+  // Also that at which the scene states it.
+  click(kPiston, BodiesModel::kX);
+  type("2.45");
+  EXPECT_TRUE(wait_for([&] { return x.data().toString() == "2.450"; })) << x.data().toString().toStdString();
+  EXPECT_DOUBLE_EQ(window_.preset().scene.bodies[kPiston].position.x(), 2.5);
 }
 
 TEST_F(LabTableTest, AnotherExperimentBeginsAtTheFirstCell) {
