@@ -173,17 +173,17 @@ bool neighbour_covers(const ConvexShapes& shapes, ShapeIndex owner, const Pose& 
 }
 
 bool lies_over_seam(const ConvexShapes& shapes, ShapeIndex owner, const Pose& pose_owner, ShapeIndex neighbour,
-                    const Pose& pose_neighbour, ShapeIndex toucher, const Pose& pose_toucher, const Vec2& point,
-                    const Vec2& normal, double tolerance) {
+                    const Pose& pose_neighbour, ShapeIndex toucher, const Pose& pose_toucher, const Vec2& at,
+                    const Vec2& over, const Vec2& normal, double tolerance) {
   const double reach = shapes.radius[neighbour] + tolerance;
-  if ((point - pose_neighbour.position).squaredNorm() > reach * reach) return false;
+  if ((at - pose_neighbour.position).squaredNorm() > reach * reach) return false;
   // The ends of rounded faces are not told from the rest.
   if (shapes.rounding[toucher] > 0.0 || shapes.core[toucher] == Core::kPoint) return false;
-  const Wedge over = wedge_at(shapes, toucher, pose_toucher, point, -normal, tolerance);
-  if (over.where != Wedge::kSurface || !parallel(over.low, over.high) || !opposite(over.low, normal))
+  const Wedge face = wedge_at(shapes, toucher, pose_toucher, over, -normal, tolerance);
+  if (face.where != Wedge::kSurface || !parallel(face.low, face.high) || face.low.dot(normal) >= 0.0)
     return false;
-  const Wedge here = wedge_at(shapes, owner, pose_owner, point, normal, tolerance);
-  const Wedge there = wedge_at(shapes, neighbour, pose_neighbour, point, normal, tolerance);
+  const Wedge here = wedge_at(shapes, owner, pose_owner, at, normal, tolerance);
+  const Wedge there = wedge_at(shapes, neighbour, pose_neighbour, at, normal, tolerance);
   if (here.where != Wedge::kSurface || there.where != Wedge::kSurface) return false;
   const auto side_by_side = [&](const Wedge& first, const Wedge& second) {
     return opposite(first.high, second.low) && parallel(first.low, normal) && parallel(second.high, normal);

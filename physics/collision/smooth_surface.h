@@ -22,12 +22,13 @@ namespace carom {
                                     const Vec2& normal, double tolerance, bool may_overlap,
                                     bool by_face = false);
 
-// Whether a face of the toucher lies over the place where owner and neighbour make one face with this normal:
-// the point is an end of theirs, but of none of the whole face. `point` in m, within `tolerance` of all three.
+// Whether a face of the toucher is over the place where owner and neighbour make one face with this normal: the
+// point is an end of theirs, but of none of the whole face. `at` is on the owner, `over` on the toucher, in m,
+// each within `tolerance`. Faces that are tilted against each other touch at corners of theirs alone, too.
 [[nodiscard]] bool lies_over_seam(const ConvexShapes& shapes, ShapeIndex owner, const Pose& pose_owner,
                                   ShapeIndex neighbour, const Pose& pose_neighbour, ShapeIndex toucher,
-                                  const Pose& pose_toucher, const Vec2& point, const Vec2& normal,
-                                  double tolerance);
+                                  const Pose& pose_toucher, const Vec2& at, const Vec2& over,
+                                  const Vec2& normal, double tolerance);
 
 // Whether the shape has a face with this outward unit normal.
 [[nodiscard]] bool has_face(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& normal);

@@ -11,8 +11,8 @@ namespace carom {
 RunState Simulation::run_state() const {
   // All members by name: a new member doesn't compile here until it is either saved or known to be set before
   // it is read.
-  [[maybe_unused]] const auto& [model, method, apply_impact, trajectories, state, clock, sums, log, work] =
-      parts_->world;
+  [[maybe_unused]] const auto& [model, method, apply_impact, immovable, trajectories, state, clock, sums, log,
+                                work] = parts_->world;
   RunState kept;
   kept.method = method;
   kept.clock = clock;

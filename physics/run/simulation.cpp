@@ -34,8 +34,8 @@ Simulation::Simulation(const RunSetup& setup, const Needs& needs)
 
 Simulation::Simulation(std::shared_ptr<const CompiledScene> compiled, const Method& method)
     : compiled_(std::move(compiled)),
-      parts_(std::make_unique<SimulationParts>(
-          World(std::shared_ptr<const Model>(compiled_, &compiled_->model), method))) {
+      parts_(
+          std::make_unique<SimulationParts>(SimulationParts{World({compiled_, &compiled_->model}, method)})) {
   choose_strategies();
 }
 

@@ -156,7 +156,8 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   const double size = world.shapes().size[a] + world.shapes().size[b];
   for (int k = 0; k < m.count; ++k) {
     const ManifoldPoint& at = m.points[k];
-    if (continued && is_inside_surface(world, a, b, m.contact(k))) {
+    if (continued && on_internal_edge(world, a, b, m.contact(k), neighbours_.of_pair(world, a, b),
+                                      [&](BodyIndex body) { return poses_[body]; })) {
       // Past the edge it will be what supports a body that slides there, but not one that lands.
       if (at.gap <= kFlush * size || is_held(world, forces, a, b)) support(a, b, 0.0);
       continue;
@@ -219,15 +220,6 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     found.press.push_back(press);
     if (slow) support(a, b, rest);
   }
-}
-
-// Whether a point of a manifold is an end of one of several bodies or shapes whose surfaces are one.
-bool ContactFinder::is_inside_surface(const World& world, BodyIndex a, BodyIndex b,
-                                      const Contact& contact) const {
-  const auto others = neighbours_.of_pair(world, a, b);
-  const auto pose = [&](BodyIndex body) { return poses_[body]; };
-  return on_internal_edge(world, a, b, contact, others, pose) ||
-         on_seam_of_face(world, a, b, contact, others, pose);
 }
 
 // m: how much farther from each other than along the normal of now, where they would be at the gap `along_it`

@@ -88,8 +88,6 @@ class ContactFinder {
     FoundContacts& found;
   };
   void support(BodyIndex a, BodyIndex b, double rest);
-  [[nodiscard]] bool is_inside_surface(const World& world, BodyIndex a, BodyIndex b,
-                                       const Contact& contact) const;
   [[nodiscard]] double turned_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m,
                                    double along_it, double rounding) const;
   void add(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m, double rounding, std::size_t last);

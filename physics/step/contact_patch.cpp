@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "physics/collision/pair_contact.h"
 #include "physics/math/vectors.h"
@@ -14,9 +16,13 @@ namespace {
 // Below this share of the largest square, a determinant is rounding: the stretch cannot turn.
 constexpr double kNoTurn = 1e-12;
 
-// The bodies that are welded to this one, itself among them.
+// The bodies that are one with this one, itself among them: by a weld, or as nothing moves them.
 template <class Visit>
-void each_welded(const World& world, BodyIndex body, const Visit& visit) {
+void each_of_one(const World& world, BodyIndex body, const Visit& visit) {
+  if (world.is_immovable(body)) {
+    for (const BodyIndex i : world.immovable) visit(i);
+    return;
+  }
   const WeldedBodies& welded = world.trajectories.welded();
   if (!welded.is_welded(body) || world.infinite_mass(body)) return visit(body);
   for (const BodyIndex i : world.trajectories.members(world.trajectories.island_of(body))) {
@@ -31,25 +37,37 @@ struct Stretch {
   double high = 0.0;  // m
 };
 
-Stretch stretch_of(const World& world, BodyIndex a, BodyIndex b, const Contact& contact) {
+// Calls visit(i, j, at, parts) for each point where two parts touch in that stretch, i one with a and j with b:
+// where, in m along the tangent from the contact's point. Points of the same parts follow each other.
+template <class Visit>
+void each_touch(const World& world, BodyIndex a, BodyIndex b, const Contact& contact, const Visit& visit) {
   const Geometry& g = world.shapes();
   const Vec2 along = crossed(contact.normal);
-  Stretch stretch;
-  each_welded(world, a, [&](BodyIndex i) {
+  const SurfaceLaw& law = world.material(contact, a, b);
+  each_of_one(world, a, [&](BodyIndex i) {
     const Pose pose_i = pose_at_start(world, i);
-    each_welded(world, b, [&](BodyIndex j) {
+    each_of_one(world, b, [&](BodyIndex j) {
       if (!world.can_collide(i, j)) return;
       const Pose pose_j = pose_at_start(world, j);
       const double tolerance = kTogether * (g.size[i] + g.size[j]);
       each_manifold(g, i, pose_i, j, pose_j, contact.gap + tolerance, [&](const Manifold& m) {
-        if (std::abs(cross(m.normal, contact.normal)) > kTogether) return;
+        if (std::abs(cross(m.normal, contact.normal)) > kTogether || m.normal.dot(contact.normal) < 0.0) return;
+        // Beside an immovable body another surface has an impact of its own.
+        const bool beside = (i != a && world.is_immovable(i)) || (j != b && world.is_immovable(j));
+        if (beside && world.material(m.contact(0), i, j) != law) return;
         for (int k = 0; k < m.count; ++k) {
-          if (m.points[k].gap > contact.gap + tolerance) continue;
-          const double at = along.dot(m.points[k].point - contact.point);
-          stretch = {std::min(stretch.low, at), std::max(stretch.high, at)};
+          if (m.points[k].gap <= contact.gap + tolerance)
+            visit(i, j, along.dot(m.points[k].point - contact.point), m.parts);
         }
       });
     });
+  });
+}
+
+Stretch stretch_of(const World& world, BodyIndex a, BodyIndex b, const Contact& contact) {
+  Stretch stretch;
+  each_touch(world, a, b, contact, [&](BodyIndex, BodyIndex, double at, const ShapePair&) {
+    stretch = {std::min(stretch.low, at), std::max(stretch.high, at)};
   });
   return stretch;
 }
@@ -112,11 +130,52 @@ Contact pressed_contact(World& world, BodyIndex a, BodyIndex b, const Contact& c
   if (determinant > kNoTurn * scale * scale) {
     const double low = (k[0][1] * u[1] - k[1][1] * u[0]) / determinant;
     const double high = (k[1][0] * u[0] - k[0][0] * u[1]) / determinant;
-    if (!(std::max(low, high) > 0.0)) return contact;
-    where = low <= 0.0 ? at[1] : high <= 0.0 ? at[0] : (low * at[0] + high * at[1]) / (low + high);
+    if (!(std::min(u[0], u[1]) < 0.0)) return contact;
+    // Where both would not push, the end that closes does alone.
+    const bool both = low > 0.0 && high > 0.0;
+    const bool at_low = low > 0.0 || (high <= 0.0 && u[0] < u[1]);
+    where = both ? (low * at[0] + high * at[1]) / (low + high) : at_low ? at[0] : at[1];
   }
   Contact pressed = contact;
   pressed.point += where * along;
+  return pressed;
+}
+
+PressedPair pressed_pair(World& world, BodyIndex a, BodyIndex b, const Contact& contact) {
+  PressedPair pressed{a, b, pressed_contact(world, a, b, contact)};
+  if (!world.is_immovable(a) && !world.is_immovable(b)) return pressed;
+  const double at = crossed(contact.normal).dot(pressed.contact.point - contact.point);
+  if (at == 0.0) return pressed;
+  // Of those that touch on either side of the point, or at it, the first; the pair itself if it does.
+  struct Span {
+    BodyIndex a;
+    BodyIndex b;
+    ShapePair parts;
+    Stretch stretch;
+  };
+  std::optional<Span> now, found;
+  const auto take = [&] {
+    if (!now || !(now->stretch.low <= at && at <= now->stretch.high)) return;
+    if (!found || (now->a == a && now->b == b)) found = now;
+  };
+  each_touch(world, a, b, contact, [&](BodyIndex i, BodyIndex j, double point, const ShapePair& parts) {
+    if (now && now->a == i && now->b == j && now->parts.a == parts.a && now->parts.b == parts.b) {
+      now->stretch = {std::min(now->stretch.low, point), std::max(now->stretch.high, point)};
+      return;
+    }
+    take();
+    now = Span{i, j, parts, {point, point}};
+  });
+  take();
+  if (!found) return pressed;
+  pressed.a = found->a;
+  pressed.b = found->b;
+  pressed.contact.parts = found->parts;
+  if (pressed.a > pressed.b) {
+    std::swap(pressed.a, pressed.b);
+    std::swap(pressed.contact.parts.a, pressed.contact.parts.b);
+    pressed.contact.normal = -pressed.contact.normal;
+  }
   return pressed;
 }
 

@@ -14,4 +14,13 @@ namespace carom {
 // it is if they touch at one point or do not approach. At the start of the trajectories.
 [[nodiscard]] Contact pressed_contact(World& world, BodyIndex a, BodyIndex b, const Contact& contact);
 
+// Likewise, with the bodies that touch at that point: of several immovable ones that make one face, it need not
+// be the one that a contact was found with. Again a < b.
+struct PressedPair {
+  BodyIndex a;
+  BodyIndex b;
+  Contact contact;
+};
+[[nodiscard]] PressedPair pressed_pair(World& world, BodyIndex a, BodyIndex b, const Contact& contact);
+
 }  // namespace carom

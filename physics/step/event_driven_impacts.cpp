@@ -11,6 +11,7 @@
 #include "physics/ledger/step_limits.h"
 #include "physics/step/apply_impact.h"
 #include "physics/step/coming_to_rest.h"
+#include "physics/step/contact_patch.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 
@@ -282,8 +283,9 @@ bool EventDrivenImpacts::resolve(const Step& step, BodyIndex a, BodyIndex b, dou
     if (trajectories.island_of(i) >= 0 && trajectories.start(i) != time)
       trajectories.advance_to(trajectories.island_of(i), time);
   }
-  return resolve_alone(step, a, b, world.approach(a, b, touch_tolerance(world, a, b), *parts).contact, time,
-                       guarded);
+  const Contact contact = world.approach(a, b, touch_tolerance(world, a, b), *parts).contact;
+  const PressedPair pressed = pressed_pair(world, a, b, contact);
+  return resolve_alone(step, pressed.a, pressed.b, pressed.contact, time, guarded);
 }
 
 bool EventDrivenImpacts::resolve_alone(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact,

@@ -1,6 +1,7 @@
 #include "physics/step/impact_cluster.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -81,8 +82,17 @@ bool ImpactCluster::has_several(const World& world) const {
   if (touches_.empty()) return false;
   const Touch& first = touches_.front();
   const SurfaceLaw& law = world.material(first.contact, first.a, first.b);
+  // Of immovable bodies that make one face only the parts: where the face of another lands on it is one impact.
+  const auto on_one_face = [&](const Touch& t) {
+    const bool same = (t.a == first.a && world.is_immovable(t.b) && world.is_immovable(first.b)) ||
+                      (t.b == first.b && world.is_immovable(t.a) && world.is_immovable(first.a));
+    const Vec2 along = t.contact.point - first.contact.point;
+    return same && (t.contact.normal - first.contact.normal).norm() <= kOnePoint &&
+           std::abs(along.dot(first.contact.normal)) <= kOnePoint * along.norm();
+  };
   return std::any_of(touches_.begin() + 1, touches_.end(), [&](const Touch& t) {
-    return t.a != first.a || t.b != first.b || world.material(t.contact, t.a, t.b) != law;
+    return ((t.a != first.a || t.b != first.b) && !on_one_face(t)) ||
+           world.material(t.contact, t.a, t.b) != law;
   });
 }
 

@@ -20,8 +20,41 @@ inline constexpr double kFlush = 1e-8;
   return !world.shapes().is_disc(a) || !world.shapes().is_disc(b);
 }
 
+// Whether this contact of a and b is none of the ends of the stretch along which they touch: a face lies over
+// the place where two bodies of infinite mass at rest make one face, or two shapes of one body.
+template <class PoseOf>
+[[nodiscard]] bool on_seam_of_face(const World& world, BodyIndex a, BodyIndex b, const Contact& contact,
+                                   std::span<const BodyIndex> others, const PoseOf& pose) {
+  const Geometry& g = world.shapes();
+  const ShapePair parts = g.parts_or_first(contact.parts, a, b);
+  const Vec2 half = 0.5 * contact.gap * contact.normal;
+  const auto on_seam_of = [&](BodyIndex owner, ShapeIndex part, const Vec2& at, BodyIndex toucher,
+                              ShapeIndex touching, const Vec2& over, const Vec2& normal) {
+    if (g.is_disc(owner) || g.is_disc(toucher)) return false;
+    const double tolerance = kFlush * (g.size[owner] + g.size[toucher]) + 1e-12 * contact.point.lpNorm<1>();
+    const auto continues = [&](BodyIndex other) {
+      bool any = false;
+      g.each_part(other, [&](ShapeIndex piece) {
+        any = any || (piece != part && lies_over_seam(g.shapes, part, g.part_pose(owner, part, pose(owner)),
+                                                      piece, g.part_pose(other, piece, pose(other)), touching,
+                                                      g.part_pose(toucher, touching, pose(toucher)), at, over,
+                                                      normal, tolerance));
+      });
+      return any;
+    };
+    if (g.has_parts(owner) && continues(owner)) return true;
+    return world.is_immovable(owner) && std::any_of(others.begin(), others.end(), [&](BodyIndex other) {
+             return other != owner && world.is_immovable(other) && world.can_collide(other, toucher) &&
+                    continues(other);
+           });
+  };
+  return on_seam_of(a, parts.a, contact.point - half, b, parts.b, contact.point + half, contact.normal) ||
+         on_seam_of(b, parts.b, contact.point + half, a, parts.a, contact.point - half, -contact.normal);
+}
+
 // Whether another part, of a body itself or of one of `others`, leaves no such contact of a and b, because it
-// continues the surface of one of them there (neighbour_covers). pose(i) is the pose of a body.
+// continues the surface of one of them there (neighbour_covers, on_seam_of_face). pose(i) is the pose of a
+// body.
 template <class PoseOf>
 [[nodiscard]] bool on_internal_edge(const World& world, BodyIndex a, BodyIndex b, const Contact& contact,
                                     std::span<const BodyIndex> others, const PoseOf& pose) {
@@ -54,6 +87,7 @@ template <class PoseOf>
   };
   const Vec2 on_a = contact.point - half;
   const Vec2 on_b = contact.point + half;
+  if (on_seam_of_face(world, a, b, contact, others, pose)) return true;
   if (g.has_parts(a) && covers(a, a, parts.a, b, on_a, contact.normal)) return true;
   if (g.has_parts(b) && covers(b, b, parts.b, a, on_b, -contact.normal)) return true;
   return std::any_of(others.begin(), others.end(), [&](BodyIndex other) {
@@ -61,37 +95,6 @@ template <class PoseOf>
            (covers(other, a, parts.a, b, on_a, contact.normal) ||
             covers(other, b, parts.b, a, on_b, -contact.normal));
   });
-}
-
-// Whether this contact of a and b is none of the ends of the stretch along which they touch: a face lies over
-// the place where two bodies of infinite mass at rest make one face, or two shapes of one body.
-template <class PoseOf>
-[[nodiscard]] bool on_seam_of_face(const World& world, BodyIndex a, BodyIndex b, const Contact& contact,
-                                   std::span<const BodyIndex> others, const PoseOf& pose) {
-  const Geometry& g = world.shapes();
-  const ShapePair parts = g.parts_or_first(contact.parts, a, b);
-  const auto rests = [&](BodyIndex i) { return world.infinite_mass(i) && !world.model->is_kinematic(i); };
-  const auto on_seam_of = [&](BodyIndex owner, ShapeIndex part, BodyIndex toucher, ShapeIndex touching,
-                              const Vec2& normal) {
-    if (g.is_disc(owner) || g.is_disc(toucher)) return false;
-    const double tolerance = kFlush * (g.size[owner] + g.size[toucher]) + 1e-12 * contact.point.lpNorm<1>();
-    const auto continues = [&](BodyIndex other) {
-      bool any = false;
-      g.each_part(other, [&](ShapeIndex piece) {
-        any = any || (piece != part && lies_over_seam(g.shapes, part, g.part_pose(owner, part, pose(owner)),
-                                                      piece, g.part_pose(other, piece, pose(other)), touching,
-                                                      g.part_pose(toucher, touching, pose(toucher)),
-                                                      contact.point, normal, tolerance));
-      });
-      return any;
-    };
-    if (g.has_parts(owner) && continues(owner)) return true;
-    return rests(owner) && std::any_of(others.begin(), others.end(), [&](BodyIndex other) {
-             return other != owner && rests(other) && world.can_collide(other, toucher) && continues(other);
-           });
-  };
-  return on_seam_of(a, parts.a, b, parts.b, contact.normal) ||
-         on_seam_of(b, parts.b, a, parts.a, -contact.normal);
 }
 
 }  // namespace carom

@@ -91,7 +91,7 @@ void RestingContacts::strike(World& world, double h) {
   const auto meeting = [&](BodyIndex a, BodyIndex b, const ShapePair& parts) -> std::optional<Approach> {
     const bool several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
     if (!world.can_collide(a, b)) return std::nullopt;  // one body by now
-    const std::optional<Approach> at = rebound(world, a, b, parts);
+    std::optional<Approach> at = rebound(world, a, b, parts);
     if (!at) return std::nullopt;
     // What comes to touch at the step's end, to rounding, meets in the next step.
     if (-at->speed * (1.0 - kSameMoment) * h < at->contact.gap) return std::nullopt;

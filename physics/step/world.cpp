@@ -10,10 +10,23 @@
 
 namespace carom {
 
+namespace {
+
+std::vector<BodyIndex> immovable_of(const Model& model) {
+  std::vector<BodyIndex> bodies;
+  for (BodyIndex i{0}; i < static_cast<int>(model.bodies()); ++i) {
+    if (model.infinite_mass(i) && !model.is_kinematic(i)) bodies.push_back(i);
+  }
+  return bodies;
+}
+
+}  // namespace
+
 World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
     : model(std::move(compiled)),
       method(chosen),
       apply_impact(apply_impact_of(*model)),
+      immovable(immovable_of(*model)),
       trajectories(model, method) {
   const double start = model->start_time;
   trajectories.begin(start);

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "physics/collision/approach.h"
 #include "physics/dynamics/trajectories.h"
@@ -35,7 +36,8 @@ struct World {
 
   std::shared_ptr<const Model> model;
   Method method;
-  ApplyImpact apply_impact;  // of the model
+  ApplyImpact apply_impact;          // of the model
+  std::vector<BodyIndex> immovable;  // bodies of infinite mass without a drive
   Trajectories trajectories;
   State state;  // at clock.time; the parts of a step publish it when they need it
   RunClock clock;
@@ -48,6 +50,9 @@ struct World {
   [[nodiscard]] const Geometry& shapes() const { return model->shapes; }
   [[nodiscard]] const ForceField& field() const { return trajectories.field(); }
   [[nodiscard]] bool infinite_mass(BodyIndex body) const { return model->infinite_mass(body); }
+  [[nodiscard]] bool is_immovable(BodyIndex body) const {
+    return model->infinite_mass(body) && !model->is_kinematic(body);
+  }
   // Of the parts of a and b that touch.
   [[nodiscard]] const SurfaceLaw& material(const Contact& contact, BodyIndex a, BodyIndex b) const {
     return model->surfaces.between(shapes().parts_or_first(contact.parts, a, b));

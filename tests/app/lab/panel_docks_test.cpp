@@ -226,12 +226,13 @@ TEST_F(PanelDocksTest, TheDrawerFoldsOnlyBesideOthers) {
   drag(PanelDocks::kDrawer, edge(PanelDocks::kRight));
   const int plots = plots_->parentWidget()->height();
   drawer_->set_folded(true);
-  QTest::qWait(20);
-  EXPECT_LT(drawer_->height(), 60);
-  EXPECT_GT(plots_->parentWidget()->height(), plots + 50) << "they get the room";
+  EXPECT_TRUE(QTest::qWaitFor([this] { return drawer_->height() < 60; })) << drawer_->height();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return plots_->parentWidget()->height() > plots + 50; }))
+      << "they get the room";
   drag(PanelDocks::kDrawer, edge(PanelDocks::kLeft));
   EXPECT_FALSE(drawer_->folded()) << "it would leave a hole";
-  EXPECT_GT(drawer_->height(), docks().height() / 2);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return drawer_->height() > docks().height() / 2; }))
+      << drawer_->height();
 }
 
 }  // namespace
