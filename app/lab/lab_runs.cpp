@@ -339,8 +339,11 @@ void LabRuns::take_back(Entered& run) {
   left.recorders = recorders_;
   left.before = before_;
   left_[run.kept] = std::move(left);
-  for (auto& recorder : recorders_) recorder = std::make_shared<Recorder>(*recorder);
   show_again(run.frames, run.scene, run.playhead);
+  // A run that was just begun may have shown nothing yet.
+  recorders_.resize(std::max(recorders_.size(), frames_.size()));
+  for (auto& recorder : recorders_)
+    recorder = recorder ? std::make_shared<Recorder>(*recorder) : std::make_shared<Recorder>();
   begins_ = run.frames.empty();
   worker_.cut(run.kept, run.time, document_.preset.edits);
   // Play may have been pressed before the first frame came: the next one shows the start.
