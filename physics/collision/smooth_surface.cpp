@@ -191,6 +191,29 @@ bool lies_over_seam(const ConvexShapes& shapes, ShapeIndex owner, const Pose& po
   return side_by_side(here, there) || side_by_side(there, here);
 }
 
+std::optional<Contact> corner_over_face(const ConvexShapes& shapes, ShapeIndex owner, const Pose& pose_owner,
+                                        ShapeIndex toucher, const Pose& pose_toucher, const Vec2& over,
+                                        const Vec2& normal, double tolerance) {
+  if (shapes.rounding[owner] > 0.0 || shapes.rounding[toucher] > 0.0) return std::nullopt;
+  const Vec2 at = pose_toucher.turned_back(Vec2(over - pose_toucher.position));
+  const Corner* corner = shapes.corners_of(toucher);
+  const Corner* end = corner + shapes.corners[toucher];
+  const Corner* tip =
+      std::find_if(corner, end, [&](const Corner& c) { return (c.vertex - at).norm() <= tolerance; });
+  if (tip == end) return std::nullopt;
+  const Vec2 point = pose_toucher.position + pose_toucher.turned(tip->vertex);
+  const Vec2 p = pose_owner.turned_back(Vec2(point - pose_owner.position));
+  const Corner* face = shapes.corners_of(owner);
+  for (int k = 0; k < shapes.edges(owner); ++k) {
+    const Vec2 out = pose_owner.turned(face[k].normal);
+    const double along = cross(face[k].normal, Vec2(p - face[k].vertex));
+    if (!(out.dot(normal) > std::numbers::sqrt2 / 2.0) || along < 0.0 || along > face[k].length) continue;
+    const double gap = face[k].normal.dot(p - face[k].vertex);
+    return Contact{gap, out, point - 0.5 * gap * out};
+  }
+  return std::nullopt;
+}
+
 bool has_face(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& normal) {
   const Vec2 own = pose.turned_back(normal);
   const Corner* corner = shapes.corners_of(i);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "physics/collision/contact.h"
 #include "physics/model/convex.h"
 
 namespace carom {
@@ -29,6 +32,15 @@ namespace carom {
                                   ShapeIndex neighbour, const Pose& pose_neighbour, ShapeIndex toucher,
                                   const Pose& pose_toucher, const Vec2& at, const Vec2& over,
                                   const Vec2& normal, double tolerance);
+
+// Where a corner of the toucher is over a face of the owner, the contact of these two along the normal of that
+// face, from owner to toucher; nothing if it is over none that is turned from `normal` by less than half a
+// right angle. `over` is on the toucher, in m. The nearest features of two shapes need not be these, but the
+// seam at the end of the owner's face, over which the toucher's face lies.
+[[nodiscard]] std::optional<Contact> corner_over_face(const ConvexShapes& shapes, ShapeIndex owner,
+                                                      const Pose& pose_owner, ShapeIndex toucher,
+                                                      const Pose& pose_toucher, const Vec2& over,
+                                                      const Vec2& normal, double tolerance);
 
 // Whether the shape has a face with this outward unit normal.
 [[nodiscard]] bool has_face(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& normal);

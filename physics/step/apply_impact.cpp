@@ -6,7 +6,6 @@
 #include "physics/impact/jointed_impact.h"
 #include "physics/ledger/step_limits.h"
 #include "physics/math/vectors.h"
-#include "physics/step/contact_patch.h"
 
 namespace carom {
 namespace {
@@ -42,7 +41,6 @@ struct SmoothImpact {
       : velocity_a(world.trajectories.at_start(a).segment<2>(3)),
         velocity_b(world.trajectories.at_start(b).segment<2>(3)),
         normal(contact.normal) {}
-  static const Contact& acting_contact(World&, int, int, const Contact& touch) { return touch; }
   static bool joins(const SurfaceLaw&) { return false; }
   [[nodiscard]] double closing() const { return -Vec2(velocity_b - velocity_a).dot(normal); }
   Impact resolve(World& world, BodyIndex a, BodyIndex b, const Contact&, const SurfaceLaw& material) {
@@ -66,9 +64,6 @@ struct GeneralImpact {
       : side_a(world.side(a, contact, 1.0)),
         side_b(world.side(b, contact, -1.0)),
         closing_speed(-relative_velocity(side_a, side_b, contact.normal).normal) {}
-  static Contact acting_contact(World& world, BodyIndex a, BodyIndex b, const Contact& touch) {
-    return pressed_contact(world, a, b, touch);
-  }
   static bool joins(const SurfaceLaw& material) { return material.sticks; }
   [[nodiscard]] double closing() const { return closing_speed; }
   Impact resolve(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const SurfaceLaw& material) {
@@ -95,9 +90,8 @@ struct GeneralImpact {
 };
 
 template <class Kind>
-ImpactEffect apply(World& world, BodyIndex a, BodyIndex b, const Contact& touch, const SurfaceLaw& material,
+ImpactEffect apply(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const SurfaceLaw& material,
                    double within) {
-  const Contact& contact = Kind::acting_contact(world, a, b, touch);  // a temporary lives as long
   Kind of_pair(world, a, b, contact);
   const double closing = of_pair.closing();
   // Semi-implicit Euler's path x + t v(t) may close again, from a penetration, while v(t) still separates the

@@ -9,8 +9,9 @@ namespace carom {
 [[nodiscard]] ApplyImpact apply_impact_of(const Model& model);
 
 // Resolves the impact of two bodies at the start of their trajectories, `within` s after the epoch: changes
-// their velocities, records the impact and keeps the ledger. Does nothing if the pair does not close. Bodies
-// whose surfaces stick are joined by a weld.
+// their velocities, records the impact and keeps the ledger. The impulse acts at the contact's point: for faces
+// that meet, that of pressed_contact(). Does nothing if the pair does not close. Bodies whose surfaces stick
+// are joined by a weld.
 inline ImpactEffect apply_impact(World& world, BodyIndex a, BodyIndex b, const Contact& contact,
                                  const SurfaceLaw& material, double within) {
   return world.apply_impact(world, a, b, contact, material, within);

@@ -59,8 +59,10 @@ std::optional<std::size_t> force_before(const World& world, const std::vector<Co
 bool is_held(const World& world, const std::vector<ContactForce>& forces, BodyIndex a, BodyIndex b) {
   if (forces.size() > static_cast<std::size_t>(kFewContactsOfScene)) return true;
   return std::any_of(forces.begin(), forces.end(), [&](const ContactForce& f) {
-    return (!world.infinite_mass(a) && (f.a == a || f.b == a)) ||
-           (!world.infinite_mass(b) && (f.a == b || f.b == b));
+    const auto holds = [&](BodyIndex body) {
+      return !world.infinite_mass(body) && (f.a == body || f.b == body);
+    };
+    return f.normal_force > 0.0 && (holds(a) || holds(b));
   });
 }
 
@@ -113,7 +115,7 @@ void ContactFinder::find(World& world, double step_length, double h, const Conta
                   [&, a = a, b = b](const Manifold& m) {
                     while (last < forces.size() && std::pair(forces[last].a, forces[last].b) < std::pair(a, b))
                       ++last;
-                    add(step, a, b, m, rounding, last);
+                    add(step, a, b, exposed(step, a, b, m), rounding, last);
                   });
     // A pair without support is left to the event queue.
     if (supported_.empty() || supported_.back() != std::pair(a, b)) found.landings.resize(landings);
@@ -141,6 +143,18 @@ void ContactFinder::let_fast_bodies_push(World& world) {
   }
 }
 
+// The points that no other part continues; past such an edge that part will be what supports a body that slides
+// there, but not one that lands.
+Manifold ContactFinder::exposed(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m) {
+  const World& world = step.world;
+  const double size = world.shapes().size[a] + world.shapes().size[b];
+  return exposed_points(
+      world, a, b, m, neighbours_.of_pair(world, a, b), [&](BodyIndex body) { return poses_[body]; },
+      [&](const ManifoldPoint& continued) {
+        if (continued.gap <= kFlush * size || is_held(world, step.memory.forces, a, b)) support(a, b, 0.0);
+      });
+}
+
 // Adds the points of a manifold that rest, and those that will land; `last` is the pair's first last force.
 void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m, double rounding,
                         std::size_t last) {
@@ -152,16 +166,9 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   const bool located = world.method.impacts == ImpactsId::kLocated;
   const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
   const double slip = kStuck * step.pressing.change_by_forces() + step.pressing.noise();
-  const bool continued = may_be_continued(world, a, b);
   const double size = world.shapes().size[a] + world.shapes().size[b];
   for (int k = 0; k < m.count; ++k) {
     const ManifoldPoint& at = m.points[k];
-    if (continued && on_internal_edge(world, a, b, m.contact(k), neighbours_.of_pair(world, a, b),
-                                      [&](BodyIndex body) { return poses_[body]; })) {
-      // Past the edge it will be what supports a body that slides there, but not one that lands.
-      if (at.gap <= kFlush * size || is_held(world, forces, a, b)) support(a, b, 0.0);
-      continue;
-    }
     const int i = static_cast<int>(found.id.size());
     if (i == c.size()) c.resize(std::max(kFirstCapacity, 2 * i));
     c.a[i] = a;

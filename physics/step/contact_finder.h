@@ -90,6 +90,7 @@ class ContactFinder {
   void support(BodyIndex a, BodyIndex b, double rest);
   [[nodiscard]] double turned_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m,
                                    double along_it, double rounding) const;
+  [[nodiscard]] Manifold exposed(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m);
   void add(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m, double rounding, std::size_t last);
 
   void let_fast_bodies_push(World& world);

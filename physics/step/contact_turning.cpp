@@ -145,25 +145,23 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
     }
     const bool turns = moved(world, ka, a, kb, b);
     Manifold end;
-    const auto continued = [&](const ManifoldPoint& at) {
-      return may_be_continued(world, ka, kb) &&
-             on_internal_edge(world, ka, kb, end.contact(static_cast<int>(&at - end.points.data())),
-                              neighbours.of_pair(world, ka, kb),
-                              [&](BodyIndex body) { return shapes.pose(body, flight.position.col(body)); });
-    };
     for (int i = first; i < last; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const double allowed = c.target[i];
       if (turns && (i == first || parts_of(found.id[k]) != parts_of(found.id[k - 1]))) {
         end = manifold_of(shapes, ka, a.end, kb, b.end, found.id[k], std::numeric_limits<double>::infinity());
+        // Where a neighbour continues the surface, the contact does not turn about the edge.
+        end = exposed_points(
+            world, ka, kb, end, neighbours.of_pair(world, ka, kb),
+            [&](BodyIndex body) { return shapes.pose(body, flight.position.col(body)); },
+            [](const ManifoldPoint&) {});
       }
       const int point = turns ? point_with(end, found.id[k]) : -1;
       const ManifoldPoint* at = point < 0 ? nullptr : &end.points[static_cast<std::size_t>(point)];
       const double press = (std::max(found.press[k], 0.0) + turning_press(world, c, i)) * h;
       const bool turns_far = !goes_on || (at != nullptr && end.normal.dot(c.normal[i]) <= kLeastCosine);
       const double own = found.guess[k][0] * (world.mass().inverse_mass[ka] + world.mass().inverse_mass[kb]);
-      if (round && at != nullptr && turns_far && leaves(c, i, *at, end, own, h, a, b, flight.velocity) &&
-          !continued(*at)) {
+      if (round && at != nullptr && turns_far && leaves(c, i, *at, end, own, h, a, b, flight.velocity)) {
         c.target[i] = -std::numeric_limits<double>::infinity();
         set_arms(c, i, found.point[k], a, b);
         continue;
@@ -173,8 +171,7 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
         continue;
       }
       GuessedEnd guess = carried(world.shapes(), c, i, found.point[k], a, b, turns);
-      // Where a neighbour continues the surface, the contact does not turn about the edge.
-      if (at != nullptr && end.normal.dot(c.normal[i]) > kLeastCosine && !continued(*at) &&
+      if (at != nullptr && end.normal.dot(c.normal[i]) > kLeastCosine &&
           end_velocity(c, i, at->point, end.normal, a, b, flight.velocity).normal >= -kMostClosing * press)
         guess = {at->point, end.normal, at->gap};
       const double parting = turn_contact(c, i, found.point[k], guess, a, b, flight.velocity, arms.along);

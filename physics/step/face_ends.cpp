@@ -143,6 +143,20 @@ bool is_corner(const World& world, const TouchOnFace& on) {
   return !is_round(world.shapes().shapes, on.toucher_part);
 }
 
+// Whether another part goes on with the surface of a side at this corner of it: the other side leaves no
+// contact with the side's normal, which is that of what lies beyond.
+template <class PoseOf>
+bool goes_on(const World& world, const Sides::Side& side, const Sides::Side& other, const Vec2& corner,
+             const Neighbours& neighbours, const PoseOf& pose) {
+  const Geometry& g = world.shapes();
+  const bool first = side.body < other.body;
+  const auto [a, b] = std::minmax(side.body, other.body);
+  Contact contact{0.0, first ? side.out : Vec2(-side.out), side.pose.position + side.pose.turned(corner)};
+  if (g.has_parts(a) || g.has_parts(b))
+    contact.parts = first ? ShapePair{side.part, other.part} : ShapePair{other.part, side.part};
+  return on_internal_edge(world, a, b, contact, neighbours.of_pair(world, a, b), pose);
+}
+
 // Whether the face ends at its start or end: no other face or body goes on from there.
 bool ends_there(World& world, const TouchOnFace& on, double time, const Neighbours& neighbours) {
   const Geometry& g = world.shapes();
@@ -157,12 +171,9 @@ bool ends_there(World& world, const TouchOnFace& on, double time, const Neighbou
   const auto pose = [&](BodyIndex i) { return g.pose(i, world.trajectories.at(i, time).head<3>()); };
   const Pose of_face = g.part_pose(on.body, on.part, pose(on.body));
   const Vec2 end = on.towards_end ? Vec2(on.vertex + on.length * crossed(on.normal)) : on.vertex;
-  const Vec2 out = of_face.turned(turned_by(on.towards_end ? kBeyond : -kBeyond, on.normal));
-  const auto [a, b] = std::minmax(on.toucher, on.body);
-  Contact contact{0.0, a == on.body ? out : Vec2(-out), of_face.position + of_face.turned(end)};
-  if (g.has_parts(a) || g.has_parts(b))
-    contact.parts = a == on.body ? ShapePair{on.part, on.toucher_part} : ShapePair{on.toucher_part, on.part};
-  return !on_internal_edge(world, a, b, contact, neighbours.of_pair(world, a, b), pose);
+  const Vec2 past = turned_by(on.towards_end ? kBeyond : -kBeyond, on.normal);
+  return !goes_on(world, {on.body, on.part, of_face, of_face.turned(past)},
+                  {on.toucher, on.toucher_part, {}, {}}, end, neighbours, pose);
 }
 
 }  // namespace
@@ -203,7 +214,8 @@ double first_face_end(World& world, const std::vector<TouchOnFace>& touches, con
   return first;
 }
 
-bool leaves_corner(const World& world, const FoundContacts& found, int i, double h) {
+bool leaves_corner(const World& world, const FoundContacts& found, int i, const Neighbours& neighbours,
+                   double h) {
   const ConvexShapes& shapes = world.shapes().shapes;
   const auto is_sharp = [&](ShapeIndex part) {
     return shapes.rounding[part] == 0.0 && shapes.core[part] != Core::kHalfPlane;
@@ -220,17 +232,21 @@ bool leaves_corner(const World& world, const FoundContacts& found, int i, double
   };
   const Vec2 u = velocity(b.body) - velocity(a.body);
   // A point of no size is its own corner, without a face.
-  const auto moves_out = [&](const Sides::Side& side, const Vec2& away) {
+  const auto moves_out = [&](const Sides::Side& side, const Sides::Side& other, const Vec2& away) {
     if (is_round(shapes, side.part)) return true;
     const Corner* corner = corner_at(shapes, side.part, side.of_part(point), near);
     if (corner == nullptr) return false;
     const Corner* first = shapes.corners_of(side.part);
     const Corner* before = corner == first ? first + shapes.corners[side.part] - 1 : corner - 1;
-    return h * std::max(side.pose.turned(corner->normal).dot(away),
-                        side.pose.turned(before->normal).dot(away)) >
-           near;
+    if (h * std::max(side.pose.turned(corner->normal).dot(away), side.pose.turned(before->normal).dot(away)) <=
+        near)
+      return false;
+    Sides::Side past = side;
+    past.out = turned_by(cross(side.out, away) > 0.0 ? kBeyond : -kBeyond, side.out);
+    return !goes_on(world, past, other, corner->vertex, neighbours,
+                    [&](BodyIndex body) { return pose_at_start(world, body); });
   };
-  return moves_out(a, u) && moves_out(b, -u);
+  return moves_out(a, b, u) && moves_out(b, a, -u);
 }
 
 }  // namespace carom

@@ -33,8 +33,9 @@ void find_touches_near_ends(const World& world, const FoundContacts& found, doub
 // into the next.
 [[nodiscard]] double first_face_end(World& world, const std::vector<TouchOnFace>& touches,
                                     const Neighbours& neighbours, double h);
-// Whether contact i is that of two corners that leave each other within h s: each moves out of the other body.
-// Nothing presses them any more.
-[[nodiscard]] bool leaves_corner(const World& world, const FoundContacts& found, int i, double h);
+// Whether contact i is that of two corners that leave each other within h s: each moves out of the other body,
+// whose surface ends there. Nothing presses them any more.
+[[nodiscard]] bool leaves_corner(const World& world, const FoundContacts& found, int i,
+                                 const Neighbours& neighbours, double h);
 
 }  // namespace carom

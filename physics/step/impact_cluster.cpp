@@ -82,8 +82,14 @@ bool ImpactCluster::has_several(const World& world) const {
   if (touches_.empty()) return false;
   const Touch& first = touches_.front();
   const SurfaceLaw& law = world.material(first.contact, first.a, first.b);
-  // Of immovable bodies that make one face only the parts: where the face of another lands on it is one impact.
+  // Nor are immovable bodies in one plane, whose law is the same: whatever lands on them slides alike at all of
+  // its points there, so that one impact where their pressure acts is the same as several. Discs have no
+  // stretch of their own to find it by (see pressed_contact).
+  const auto has_stretch = [&](const Touch& t) {
+    return !world.shapes().is_disc(t.a) && !world.shapes().is_disc(t.b);
+  };
   const auto on_one_face = [&](const Touch& t) {
+    if (!has_stretch(t) || !has_stretch(first)) return false;
     const bool same = (t.a == first.a && world.is_immovable(t.b) && world.is_immovable(first.b)) ||
                       (t.b == first.b && world.is_immovable(t.a) && world.is_immovable(first.a));
     const Vec2 along = t.contact.point - first.contact.point;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "physics/collision/contact.h"
+#include "physics/collision/pair_contact.h"
 #include "physics/collision/smooth_surface.h"
 #include "physics/model/convex.h"
 #include "physics/step/world.h"
@@ -95,6 +97,46 @@ template <class PoseOf>
            (covers(other, a, parts.a, b, on_a, contact.normal) ||
             covers(other, b, parts.b, a, on_b, -contact.normal));
   });
+}
+
+// The points of a manifold that no other part continues; calls continued(point) for each that one does. Where
+// one of two goes so, the nearest features are a seam and the face over it, while what may land there is a
+// corner of the one on the face of the other: its normal is that of this face.
+template <class PoseOf, class Continued>
+[[nodiscard]] Manifold exposed_points(const World& world, BodyIndex a, BodyIndex b, const Manifold& m,
+                                      std::span<const BodyIndex> others, const PoseOf& pose,
+                                      const Continued& continued) {
+  if (!may_be_continued(world, a, b)) return m;
+  Manifold left = m;
+  left.count = 0;
+  for (int k = 0; k < m.count; ++k) {
+    const ManifoldPoint& at = m.points[static_cast<std::size_t>(k)];
+    if (on_internal_edge(world, a, b, m.contact(k), others, pose)) {
+      continued(at);
+    } else {
+      left.points[static_cast<std::size_t>(left.count++)] = at;
+    }
+  }
+  if (left.count == m.count || left.count == 0) return left;
+  ManifoldPoint& at = left.points[0];
+  const Geometry& g = world.shapes();
+  const auto [part_a, part_b] = g.parts_or_first(m.parts, a, b);
+  const Pose pose_a = g.part_pose(a, part_a, pose(a));
+  const Pose pose_b = g.part_pose(b, part_b, pose(b));
+  const Vec2 half = 0.5 * at.gap * m.normal;
+  const double near = kFlush * (g.size[a] + g.size[b]);
+  std::optional<Contact> on_face =
+      corner_over_face(g.shapes, part_a, pose_a, part_b, pose_b, at.point + half, m.normal, near);
+  if (!on_face) {
+    on_face = corner_over_face(g.shapes, part_b, pose_b, part_a, pose_a, at.point - half, -m.normal, near);
+    if (on_face) on_face->normal = -on_face->normal;
+  }
+  if (on_face) {
+    left.normal = on_face->normal;
+    at.point = on_face->point;
+    at.gap = on_face->gap;
+  }
+  return left;
 }
 
 }  // namespace carom

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "physics/step/apply_impact.h"
+#include "physics/step/contact_patch.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/neighbours.h"
 #include "physics/step/pair_motion.h"
@@ -164,7 +165,8 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
       SurfaceLaw material = world.material(at.contact, a, b);
       // A closing speed from the forces of this step must not bounce; a true impact on a resting pair must.
       if (resting && -at.speed <= pressed_in(world, a, b, h)) material.restitution = 0.0;
-      const ImpactEffect of_pair = apply_impact(world, a, b, at.contact, material, now);
+      const ImpactEffect of_pair =
+          apply_impact(world, a, b, pressed_contact(world, a, b, at.contact), material, now);
       effect = std::max(effect, of_pair);
       if (of_pair == ImpactEffect::kJoined) return;
     }

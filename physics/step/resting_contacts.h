@@ -70,7 +70,7 @@ class RestingContacts {
   // Takes all contact forces off the trajectories and forgets the contacts.
   void release(World& world);
   // After a step that was given up.
-  void forget_forces() { memory_.forces.clear(); }
+  void forget_forces() { memory_ = {}; }
 
   // m/s: a contact of the pair a < b that rebounds slower than this rests (ContactPressing::rest_speed).
   [[nodiscard]] double rest_speed(const World& world, BodyIndex a, BodyIndex b, const Vec2& point,

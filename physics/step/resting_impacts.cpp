@@ -7,6 +7,7 @@
 #include "physics/collision/time_of_impact.h"
 #include "physics/step/apply_impact.h"
 #include "physics/step/coming_to_rest.h"
+#include "physics/step/contact_patch.h"
 #include "physics/step/hits_in_order.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
@@ -59,7 +60,7 @@ void RestingContacts::land(World& world, const LandingTime& landing) const {
   const double closing = -world.parting_speed(a, b, contact);
   if (impact_speed(material, closing) >
       rest_speed(world, a, b, contact.point, contact.normal, material.restitution))
-    apply_impact(world, a, b, contact, material, landing.time);
+    apply_impact(world, a, b, pressed_contact(world, a, b, contact), material, landing.time);
 }
 
 // How two parts approach that rebound by the law of impacts, as they are faster than a contact may rest: in the
@@ -140,7 +141,8 @@ void RestingContacts::strike(World& world, double h) {
     const auto strike_parts = [&](BodyIndex a, BodyIndex b, const ShapePair& parts) {
       const std::optional<Approach> at = meeting(a, b, parts);
       if (!at) return;
-      apply_impact(world, a, b, at->contact, world.material(at->contact, a, b), 0.0);
+      apply_impact(world, a, b, pressed_contact(world, a, b, at->contact), world.material(at->contact, a, b),
+                   0.0);
       note_struck(a, round);
       note_struck(b, round);
       any = true;
@@ -176,7 +178,7 @@ void RestingContacts::rebound_at_end(World& world, const std::vector<BodyPair>& 
       if (may_be_continued(world, a, b) &&
           on_internal_edge(world, a, b, at->contact, finder_.neighbours().of_pair(world, a, b), pose))
         break;
-      effect = apply_impact(world, a, b, at->contact, material, now);
+      effect = apply_impact(world, a, b, pressed_contact(world, a, b, at->contact), material, now);
     }
     return effect;
   };

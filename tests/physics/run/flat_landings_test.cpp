@@ -171,5 +171,26 @@ TEST(FlatLandings, ABoxOverAnEdgeDoesNotTurnWhileItsCentreIsSupported) {
   }
 }
 
+// Two fixed pegs, which need not be alike: both are hit at once, in either order of the file.
+TEST(FlatLandings, APlankLandsOnTwoPegsAtOnce) {
+  for_every_way([](const Method& method) {
+    for (const auto& [first, second] :
+         {std::pair<Shape, Shape>(Disc{0.1}, Disc{0.1}), std::pair<Shape, Shape>(Disc{0.1}, Box{0.2, 0.2}),
+          std::pair<Shape, Shape>(Box{0.2, 0.2}, Disc{0.1})}) {
+      RunSetup s = test::setup_with(
+          {test::fixed("left", first, {-0.25, -0.1}), test::fixed("right", second, {0.25, -0.1}),
+           box("plank", {0.0, 0.15}, {0.0, 0.0}, 1.0, 0.1)},
+          1.0, 0.3);
+      s.scene.forces.gravity = {0.0, -kG};
+      s.method = method;
+      Simulation run(s);
+      run.advance_to(0.2);
+      EXPECT_EQ(run.impact_count(), 2);
+      EXPECT_NEAR(run.state().v(2, 2), 0.0, 1e-10);
+      EXPECT_NEAR(run.state().v(1, 2), 2.0 * std::sqrt(2.0 * kG * 0.1) - kG * 0.2, 0.02);
+    }
+  });
+}
+
 }  // namespace
 }  // namespace carom
