@@ -21,9 +21,18 @@ RunSetup without_edits(RunSetup setup) {
   return setup;
 }
 
-// Steps of a reference for one step of the run.
-int steps_of(const Method& reference, const Method& run) {
-  return static_cast<int>(std::lround(run.step / reference.step));
+// Advances a reference to where the run is after a step of it, or after a part of one.
+template <class AfterStep>
+void advance(Simulation& reference, const Simulation& run, const AfterStep& after_step) {
+  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+  const double h = run.method().step;
+  const double same = std::max(kSameMoment * h, kRounding * run.time());
+  if (std::abs(run.time() - reference.time() - h) > same) return reference.advance_to(run.time(), after_step);
+  const auto steps = std::lround(h / reference.method().step);
+  for (long i = 0; i < steps; ++i) {
+    reference.step();
+    after_step();
+  }
 }
 
 RunSetup beside(const RunSetup& start, const Method& method) {
@@ -86,16 +95,14 @@ void ReferenceRun::take_methods() {
 }
 
 void ReferenceRun::follow(const Simulation& run) {
-  const int steps = steps_of(fine_.method(), run.method());
   const bool match = !contacts_last(run.method(), run.needs());  // otherwise a landing need not be an impact
-  for (int i = 0; i < steps; ++i) {
-    fine_.step();
-    if (!match) continue;
+  advance(fine_, run, [&] {
+    if (!match) return;
     for (const ImpactRecord& impact : fine_.last_impacts()) {
       matcher_.add(ImpactMatcher::From::kReference, impact.a, impact.b, impact.time);
     }
-  }
-  for (int i = 0; i < steps_of(check_.method(), run.method()); ++i) check_.step();
+  });
+  advance(check_, run, [] {});
   if (match) {
     for (const ImpactRecord& impact : run.last_impacts()) {
       matcher_.add(ImpactMatcher::From::kRun, impact.a, impact.b, impact.time);

@@ -49,7 +49,7 @@ class ReferenceRun {
   }
   // Applies an edit of the run to the reference too.
   void edit(const RunEdit& edit);
-  // Call after each step of the run.
+  // Call after each step of the run, or after a part of one, from which it does not go on.
   void follow(const Simulation& run);
 
   // At the run's present time.

@@ -197,5 +197,28 @@ TEST_F(WorkerPast, ACutKeepsTheEditsOfThePreset) {
   EXPECT_EQ(newest_at(50).front()->bodies->size(), gas().scene.bodies.size() + 1);
 }
 
+// A ball in free fall, h = 0.02 s: explicit Euler is g h t / 2 behind at the steps' ends, and moves straight on
+// within a step.
+TEST_F(WorkerPast, TheErrorIsThatOfTheMomentWithinAStep) {
+  Preset fall;
+  fall.scene.bodies = {disc("ball", {0.0, 0.0}, {2.0, 0.0}, 0.1)};
+  fall.scene.forces.gravity = {0.0, -9.81};
+  fall.method = {.integrator = IntegratorId::kRk4, .step = 0.02};
+  fall.compare = {Method{.integrator = IntegratorId::kExplicitEuler, .step = 0.02}};
+  worker_.load(fall);
+  worker_.set_reference(ReferenceId::kExactFlight);
+  recorded_ = {start_beside_reference()};
+  record_steps(5);
+  for (const double part : {0.004, 0.013, 0.0199}) {
+    const Frames frames = shown({recorded_[3].front()->time, 0, part});
+    ASSERT_EQ(frames.size(), 2U);
+    const double time = 0.06 + part;
+    EXPECT_NEAR(frames[0]->time, time, 1e-15);
+    EXPECT_LE(frames[0]->error->position, 1e-14) << part;
+    const double s = part / 0.02;
+    EXPECT_NEAR(frames[1]->error->position, 0.5 * 9.81 * 0.02 * (0.06 + 0.02 * s * s), 1e-12) << part;
+  }
+}
+
 }  // namespace
 }  // namespace carom
