@@ -197,6 +197,11 @@ Dragged resize_box(const DragStart& start, const DragPoint& point, const Box& bo
   return out;
 }
 
+// m: to which the mouse can aim.
+double drawn_step(const DragPoint& point) {
+  return step_for_mouse(kLengthStep, point.scale) / (is_free(point) ? 10.0 : 1.0);
+}
+
 // To a decimal more than the mouse sets: it need not be a round one.
 QString former_size(const Shape& shape, DragPoint point) {
   point.keys |= Qt::ControlModifier;
@@ -266,9 +271,12 @@ QString size_text(const Shape& shape, const DragPoint& point) {
 }
 
 QString drawn_text(double length, const DragPoint& point) {
-  const double step = step_for_mouse(kLengthStep, point.scale) / (is_free(point) ? 10.0 : 1.0);
-  if (length >= 1.0) return fixed_text(length, decimals_of(step)) + " m";
-  return fixed_text(100.0 * length, decimals_of(100.0 * step)) + " cm";
+  return fixed_text(length, decimals_of(drawn_step(point))) + " m";
+}
+
+QString small_length_text(double length, const DragPoint& point) {
+  if (length >= 1.0) return drawn_text(length, point);
+  return fixed_text(100.0 * length, decimals_of(100.0 * drawn_step(point))) + " cm";
 }
 
 }  // namespace carom

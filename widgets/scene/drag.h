@@ -59,9 +59,11 @@ struct Dragged {
 // m: a place that the mouse drew: on the lines of the grid that are near (`grid` as in DragStart), else in
 // round steps; as it is if Ctrl is down.
 [[nodiscard]] Vec2 drawn_place(const Vec2& at, const DragPoint& point, double grid);
-// "r 12 cm", "12 cm × 20 cm", "1.20 m": what the bubble says of a size.
+// "r 0.12 m", "0.12 m × 0.20 m", "1.20 m": what the bubble says of a size, in the unit of the fields.
 [[nodiscard]] QString size_text(const Shape& shape, const DragPoint& point);
-// "12 cm": a length in the decimal places that the mouse can aim at.
+// "0.12 m": a length in the decimal places that the mouse can aim at.
 [[nodiscard]] QString drawn_text(double length, const DragPoint& point);
+// "12 cm": likewise in a sentence, below a metre in centimetres.
+[[nodiscard]] QString small_length_text(double length, const DragPoint& point);
 
 }  // namespace carom

@@ -60,7 +60,7 @@ void block(const DragStart& start, const Hold& hold, const DragPoint& point, Dra
   dragged.blocked = {hold.anchor, end};
   dragged.guides.clear();
   dragged.bodies = all_bodies(start);
-  dragged.value = keeps_length(hold) ? name_of(hold) + " would be " + drawn_text(length, finely(point))
+  dragged.value = keeps_length(hold) ? name_of(hold) + " would be " + small_length_text(length, finely(point))
                                      : name_of(hold) + " holds " + who;
   dragged.detail = QStringLiteral("Let go: it stays. Ctrl: the joint gives way.");
   dragged.fault = true;
@@ -71,9 +71,9 @@ void refit(std::span<const Hold> holds, const DragPoint& point, Dragged& dragged
   for (const Hold& hold : holds) {
     if (keeps(hold, dragged.bodies)) continue;
     dragged.refits = true;
-    dragged.detail = keeps_length(hold)
-                         ? name_of(hold) + " is " + drawn_text(length_of(hold, dragged.bodies), point) + " now"
-                         : name_of(hold) + " has a new place";
+    dragged.detail = keeps_length(hold) ? name_of(hold) + " is " +
+                                              small_length_text(length_of(hold, dragged.bodies), point) + " now"
+                                        : name_of(hold) + " has a new place";
   }
   for (Joint& joint : dragged.joints) {
     for (const Hold& hold : holds) {
@@ -292,7 +292,7 @@ SceneEdits edits_of(const Dragged& change, bool joints) {
 
 QString overlap_text(const Overlap& overlap, const DragPoint& point) {
   return QString::fromStdString(overlap.body.name) + " and " + QString::fromStdString(overlap.other.name) +
-         " overlap by " + drawn_text(overlap.depth, finely(point));
+         " overlap by " + small_length_text(overlap.depth, finely(point));
 }
 
 }  // namespace carom

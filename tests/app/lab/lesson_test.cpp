@@ -20,7 +20,7 @@ TEST_F(LessonTest, ByHand) {
   ASSERT_TRUE(has(2));
   EXPECT_NEAR(std::get<Disc>(body(0).shape).radius, 0.10, 1e-12);
   EXPECT_NEAR(std::get<Disc>(body(1).shape).radius, 0.15, 1e-12);
-  EXPECT_EQ(bubble(), "r 15 cm");
+  EXPECT_EQ(bubble(), "r 0.15 m");
   EXPECT_TRUE(names_in_scene().contains("A"));
   EXPECT_TRUE(names_in_scene().contains("B"));
   EXPECT_EQ(cell(0, BodiesModel::kBody), "A");

@@ -190,8 +190,8 @@ TEST(DragTest, ResizesADiscAtItsDensity) {
   EXPECT_NEAR(*resized.bodies[0].mass, 4.0, 1e-12);
   EXPECT_NEAR(*resized.bodies[0].inertia, 0.16, 1e-12);
   EXPECT_EQ(resized.bodies[0].position, Vec2(1.0, 1.0));
-  EXPECT_EQ(resized.value, "r 20 cm");
-  EXPECT_EQ(resized.detail, "m = 4 kg · was 10.0 cm");
+  EXPECT_EQ(resized.value, "r 0.20 m");
+  EXPECT_EQ(resized.detail, "m = 4 kg · was 0.100 m");
   EXPECT_EQ(resized.name, "Resize light");
   EXPECT_NEAR(std::get<Disc>(drag(start, Vec2(1.298, 1.298), Qt::ControlModifier).bodies[0].shape).radius,
               0.198, 1e-12);
@@ -210,7 +210,7 @@ TEST(DragTest, ResizesABoxFromItsFarSide) {
   EXPECT_NEAR(box.height, 0.2, 1e-12);
   EXPECT_TRUE(resized.bodies[0].position.isApprox(Vec2(1.0, 1.1), 1e-12));
   EXPECT_NEAR(*resized.bodies[0].mass, 1.5, 1e-12);
-  EXPECT_EQ(resized.value, "60 cm × 20 cm");
+  EXPECT_EQ(resized.value, "0.60 m × 0.20 m");
   EXPECT_NEAR(std::get<Box>(drag(start, Vec2(1.07, 1.504), Qt::ShiftModifier).bodies[0].shape).height, 0.3,
               1e-12);
 }
@@ -246,7 +246,7 @@ TEST(DragTest, TheFarCornerOfABoxStays) {
   EXPECT_DOUBLE_EQ(size.height, 0.3);
   EXPECT_TRUE(grown.bodies[0].position.isApprox(Vec2(1.1, 1.05), 1e-12));
   EXPECT_NEAR(*grown.bodies[0].mass, 4.5, 1e-12);
-  EXPECT_EQ(grown.value, "60 cm × 30 cm");
+  EXPECT_EQ(grown.value, "0.60 m × 0.30 m");
   // Proportions: the larger change leads.
   const Dragged alike = drag(start, Vec2(1.6, 1.1), Qt::ShiftModifier);
   EXPECT_DOUBLE_EQ(std::get<Box>(alike.bodies[0].shape).height, 0.4);
