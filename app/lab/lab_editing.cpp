@@ -88,10 +88,8 @@ void LabWindow::connect_edits() {
   connect(sheet_, &BodiesSheet::edited, this, [this](const SceneEdits& edits, const QString& name) {
     edit_bodies(stated(edits, session_.runs()), name, 0);
   });
-  connect(sheet_, &BodiesSheet::chosen, this, [this](const std::vector<std::string>& names) {
-    to_select_ = names;
-    if (frame() != nullptr) select_new();
-  });
+  connect(sheet_, &BodiesSheet::chosen, this,
+          [this](const std::vector<std::string>& names) { view_->select(names); });
   connect(&session_.history(), &EditHistory::bodiesChanged, this, &LabWindow::show_aim);
   connect(&session_.history(), &EditHistory::runsReturned, this, &LabWindow::show_aim);
   connect(&session_.history(), &EditHistory::documentChanged, view_, &SceneView::scene_edited);
@@ -136,7 +134,7 @@ void LabWindow::show_aim() {
 void LabWindow::drop(const Vec2& at, std::optional<double> radius) {
   try {
     const std::string name = session_.add_body(at.x(), at.y(), radius);
-    if (!view_->tool_kept() && !name.empty()) to_select_ = {name};
+    if (!view_->tool_kept() && !name.empty()) view_->select_when_shown({name});
   } catch (const SceneError& error) {
     show_message(this, tr("No body can be put here"), QString::fromStdString(error.what()));
   }
@@ -145,7 +143,7 @@ void LabWindow::drop(const Vec2& at, std::optional<double> radius) {
 // A new body is selected, unless the tool is kept for more of them.
 void LabWindow::select_drawn(const SceneEdits& edits) {
   const auto* added = edits.size() == 1 ? std::get_if<Add<Body>>(&edits[0]) : nullptr;
-  if (added != nullptr && !view_->tool_kept()) to_select_ = {added->part.name};
+  if (added != nullptr && !view_->tool_kept()) view_->select_when_shown({added->part.name});
 }
 
 void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int drag) {
@@ -153,14 +151,11 @@ void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int dr
     return session_.pause_for(edits, name,
                               [=, this](const SceneEdits& there) { edit_bodies(there, name, drag); });
   }
-  // Bodies that get another name stay selected.
-  std::vector<std::string> names;
-  for (const SceneEdit& edit : edits) {
-    if (const auto* body = std::get_if<Replace<Body>>(&edit)) names.push_back(body->part.name);
-  }
-  if (!names.empty() && names != view_->selection()) to_select_ = names;
   const auto scene = session_.runs().scene();
-  if (scene == nullptr) return session_.edit(edits, name, drag);
+  if (scene == nullptr) {
+    session_.edit(edits, name, drag);
+    return keep_selected(edits);
+  }
   const AllowedPlace placed = allowed_place(*scene, edits);
   if (!placed.refusal.isEmpty()) {
     session_.history().refuse(placed.refusal);
@@ -171,9 +166,20 @@ void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int dr
   if (sentence.isEmpty()) sentence = typed_overlap(*scene, allowed.edits);
   const std::uint64_t before = session_.history().revision();
   session_.edit(allowed.edits, allowed.sentence.isEmpty() ? name : allowed.name, drag);
-  if (sentence.isEmpty() || session_.history().revision() == before) return;
+  if (session_.history().revision() == before) return;
+  keep_selected(edits);
+  if (sentence.isEmpty()) return;
   said_of_edit_ = sentence;
   say_for_a_while(sentence);
+}
+
+// Bodies that get another name stay selected.
+void LabWindow::keep_selected(const SceneEdits& edits) {
+  std::vector<std::string> names;
+  for (const SceneEdit& edit : edits) {
+    if (const auto* body = std::get_if<Replace<Body>>(&edit)) names.push_back(body->part.name);
+  }
+  if (!names.empty() && names != view_->selection()) view_->select_when_shown(names);
 }
 
 void LabWindow::show_selection() {
@@ -251,7 +257,7 @@ void LabWindow::put(const Paste& paste, const QString& what) {
   const int count = static_cast<int>(paste.names.size());
   session_.edit(paste.edits, count == 1 ? tr("%1 %2").arg(what, QString::fromStdString(paste.names.front()))
                                         : tr("%1 %n bodies", nullptr, count).arg(what));
-  to_select_ = paste.names;
+  view_->select_when_shown(paste.names);
 }
 
 void LabWindow::join_selection() {
@@ -267,7 +273,7 @@ void LabWindow::take_selection_apart() {
 void LabWindow::regroup(const Regrouping& made) {
   if (!made.refusal.isEmpty()) return inspector_->say(made.refusal);
   session_.edit(made.edits, made.name);
-  to_select_ = made.bodies;
+  view_->select_when_shown(made.bodies);
 }
 
 // After undo, as before the edit, once the bodies are shown.
@@ -276,16 +282,9 @@ void LabWindow::select_again(const std::vector<std::string>& names) {
     return std::none_of(session_.history().bodies().begin(), session_.history().bodies().end(),
                         [&](const Body& body) { return body.name == name; });
   };
-  to_select_ = names;
-  std::erase_if(to_select_, gone);
-}
-
-void LabWindow::select_new() {
-  if (to_select_.empty()) return;
-  const std::vector<Body>& bodies = *frame()->bodies;
-  const bool there = std::any_of(bodies.begin(), bodies.end(),
-                                 [this](const Body& body) { return body.name == to_select_.back(); });
-  if (there) view_->select(std::exchange(to_select_, {}));
+  std::vector<std::string> left = names;
+  std::erase_if(left, gone);
+  view_->select_when_shown(left);
 }
 
 }  // namespace carom

@@ -311,7 +311,6 @@ void LabWindow::show_frame() {
   view_->set_picked(session_.runs().picked());
   view_->set_frame(frames.front(), {frames.begin() + 1, frames.end()});
   if (frame.playing) view_->set_aim(std::nullopt);
-  select_new();
   show_selection();
   transport_->update_from(frame, newest, *recorders.front(), shown);
   transport_->timeline().set_marks(plots_->marks().a, plots_->marks().b);

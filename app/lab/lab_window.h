@@ -127,8 +127,8 @@ class LabWindow : public QMainWindow {
   void join_selection();
   void take_selection_apart();
   void regroup(const Regrouping& made);
-  void select_new();
   void select_again(const std::vector<std::string>& names);
+  void keep_selected(const SceneEdits& edits);
   // The menu of what is under the mouse in the scene (scene_menu.cpp).
   void show_scene_menu(const QPoint& at);
   void fill_menu_of_bodies(QMenu& menu);
@@ -223,12 +223,11 @@ class LabWindow : public QMainWindow {
   StudyPanel* study_ = nullptr;
   QLabel* about_ = nullptr;
   NoticeBar* restore_bar_ = nullptr;
-  NoticeBar* lost_bar_ = nullptr;       // why a run is lost
-  QTimer aim_time_;                     // until the line to the first impact goes
-  std::vector<std::string> to_select_;  // new bodies that no frame has shown yet
-  QString lost_;                        // its text; empty while no run is lost
-  QString said_;                        // for a while
-  QString said_of_edit_;                // what of that is about the last edit
+  NoticeBar* lost_bar_ = nullptr;  // why a run is lost
+  QTimer aim_time_;                // until the line to the first impact goes
+  QString lost_;                   // its text; empty while no run is lost
+  QString said_;                   // for a while
+  QString said_of_edit_;           // what of that is about the last edit
   MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
   bool theme_chosen_ = false;  // by the user

@@ -76,4 +76,14 @@ bool set_derived(Body& body, const std::string& key, double value) {
   return false;
 }
 
+FormulaNames formula_names(const Body& body) {
+  FormulaNames names;
+  if (!has_infinite_mass(body)) names.push_back({"m", mass_of(body)});
+  if (const auto* disc = std::get_if<Disc>(&body.shape)) names.push_back({"r", disc->radius});
+  names.push_back({"x", body.position.x()});
+  names.push_back({"y", body.position.y()});
+  if (!has_infinite_mass(body)) names.push_back({"v", body.velocity.norm()});
+  return names;
+}
+
 }  // namespace carom

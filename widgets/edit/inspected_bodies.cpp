@@ -89,17 +89,6 @@ struct LineWords {
   const char* act = nullptr;
 };
 
-// What formulas know of a body.
-FormulaNames formula_names(const Body& body) {
-  FormulaNames names;
-  if (!has_infinite_mass(body)) names.push_back({"m", mass_of(body)});
-  if (const auto* disc = std::get_if<Disc>(&body.shape)) names.push_back({"r", disc->radius});
-  names.push_back({"x", body.position.x()});
-  names.push_back({"y", body.position.y()});
-  if (!has_infinite_mass(body)) names.push_back({"v", body.velocity.norm()});
-  return names;
-}
-
 // The value of all bodies at the place; nothing if one has none.
 std::optional<Inspected> inspected_at(const LineWords& words, const FieldPlace& place, const Bodies& bodies,
                                       const std::vector<std::vector<FieldRow>>& rows) {

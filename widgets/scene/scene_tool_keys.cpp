@@ -36,7 +36,7 @@ bool is_lock(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_L && k
 }  // namespace
 
 bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
-  if (types_in_drag(key, keys)) return true;
+  if (types_in_drag(key, keys) || types_noted(key, keys)) return true;
   if (key == Qt::Key_Escape) {
     return state_ != State::kNone || tool_ != SceneTool::kSelect || !selection_.empty() || part_;
   }
@@ -47,7 +47,7 @@ bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
   if (!frame || (!frame->scene && !plays())) return false;
   const bool removes = key == Qt::Key_Delete || key == Qt::Key_Backspace;
   if (removes && part_) return true;
-  if (selection_.empty()) return false;
+  if (selection_.empty() && awaited_.empty()) return false;
   if (is_touch(key, keys)) return can_touch();
   if (is_rename(key, keys)) return selection_.names().size() == 1;
   return removes || is_lock(key, keys) || key_edit(key, keys).has_value();
@@ -60,6 +60,7 @@ bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
     type_in_drag(QChar(key));
     return true;
   }
+  if (types_noted(key, keys) && type_noted(QChar(key))) return true;
   if (state_ != State::kNone) return true;  // the mouse has the bodies
   if (is_enter(key, keys)) {
     enter();
@@ -77,6 +78,8 @@ bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
   } else if (plays()) {
     waiting_keys_.emplace_back(key, keys);
     emit pauseRequested();
+  } else if (!awaited_.empty()) {
+    waiting_keys_.emplace_back(key, keys);
   } else {
     edit_by_key(key, keys);
   }
@@ -105,6 +108,7 @@ void SceneTools::edit_by_key(int key, Qt::KeyboardModifiers keys) {
 }
 
 bool SceneTools::escape() {
+  waiting_keys_.clear();
   if (state_ == State::kDrag && emitted_) emit dragCancelled(drags_);
   if (state_ == State::kHand) end_hand();
   if (state_ != State::kNone || has_draft()) {

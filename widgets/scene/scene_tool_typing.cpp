@@ -26,6 +26,13 @@ bool SceneTools::types_in_drag(int key, Qt::KeyboardModifiers keys) const {
   return digit || key == Qt::Key_Minus || key == Qt::Key_Period || key == Qt::Key_Comma;
 }
 
+// Into the value that stands beside the mouse after a drag, and not after keys, which may go on. The other keys
+// of a drag are steps of time here.
+bool SceneTools::types_noted(int key, Qt::KeyboardModifiers keys) const {
+  const bool begins = (key >= Qt::Key_0 && key <= Qt::Key_9) || key == Qt::Key_Minus;
+  return begins && keys == Qt::NoModifier && state_ == State::kNone && can_type_noted() && row_.drag != drags_;
+}
+
 std::optional<SceneTools::Typed> SceneTools::typed() const {
   if (!typing_) return std::nullopt;
   const TypedValue value = typing_->thing->values()[typing_->index];
@@ -77,7 +84,7 @@ void SceneTools::type_in_drawing(const QString& first) {
 }
 
 // At rest; `where` says where the bubble stands.
-void SceneTools::type_value_of(const Grab& target, const Bubble& where) {
+void SceneTools::type_value_of(const Grab& target, const Bubble& where, const QString& first) {
   const SceneSight sight = sight_();
   if (!sight.frame || !sight.frame->scene) return;
   Typing typing;
@@ -99,7 +106,7 @@ void SceneTools::type_value_of(const Grab& target, const Bubble& where) {
     typing.thing = typed_body(std::move(start), now, sight.camera.scale);
   }
   typing.drag = ++drags_;
-  begin_typing(std::move(typing), {});
+  begin_typing(std::move(typing), first);
 }
 
 // What a double click means where a drag could begin.
@@ -114,10 +121,10 @@ bool SceneTools::type_at(const QPointF& at) {
   return typing_ != nullptr;
 }
 
-bool SceneTools::type_noted() {
+bool SceneTools::type_noted(const QString& first) {
   if (!note_of_ || !(note_of_->body.empty() || index_.contains(note_of_->body))) return false;
   const Grab target = *note_of_;
-  type_value_of(target, note_);
+  type_value_of(target, note_, first);
   return typing_ != nullptr;
 }
 
@@ -125,7 +132,8 @@ QString SceneTools::take_typed(const QString& text, bool yields) {
   const std::shared_ptr<Typing> typing = typing_;
   if (typing == nullptr) return {};
   const TypedValue value = typing->thing->values()[typing->index];
-  const TypedValues typed = typed_values(text, value.name, value.range, {value.value});
+  const TypedValues typed =
+      typed_values(text, value.name, value.range, {value.value}, {typing->thing->formula_names()});
   if (!typed.fault.isEmpty()) return typed.fault;
   const TypedEdit edit = typing->thing->set(typing->index, typed.values[0], yields);
   if (!edit.fault.isEmpty()) return edit.fault;
@@ -149,9 +157,10 @@ void SceneTools::preview_typed(const QString& text) {
   if (typing == nullptr) return;
   typing->bubble.detail.clear();
   const TypedValue value = typing->thing->values()[typing->index];
-  const TypedValues typed = typed_values(text, value.name, value.range, {value.value});
+  const TypedValues typed =
+      typed_values(text, value.name, value.range, {value.value}, {typing->thing->formula_names()});
   if (!typed.fault.isEmpty()) return;
-  typing->bubble.detail = value_of_typed(text, value.range, {value.value});
+  typing->bubble.detail = value_of_typed(text, value.range, {value.value}, {typing->thing->formula_names()});
   const std::shared_ptr<TypedThing> tried = typing->thing->clone();
   const TypedEdit edit = tried->set(typing->index, typed.values[0], false);
   if (!edit.fault.isEmpty()) return;

@@ -66,6 +66,7 @@ void SceneTools::end_note() {
 // --- selection
 
 void SceneTools::set_selection(const std::vector<std::string>& names) {
+  awaited_.clear();
   choose(std::nullopt);
   if (!selection_.set(names)) return;
   if (!note_of_ || names != std::vector{note_of_->body}) end_note();
@@ -74,10 +75,15 @@ void SceneTools::set_selection(const std::vector<std::string>& names) {
 }
 
 void SceneTools::select(const std::vector<std::string>& names) {
+  if (!names.empty() && !index_.contains(names.back())) return select_when_shown(names);
   std::vector<std::string> known;
   std::copy_if(names.begin(), names.end(), std::back_inserter(known),
                [this](const std::string& name) { return index_.contains(name); });
   set_selection(known);
+}
+
+void SceneTools::select_awaited() {
+  if (!awaited_.empty() && index_.contains(awaited_.back())) select(std::exchange(awaited_, {}));
 }
 
 bool SceneTools::select_next(bool forward) {
@@ -142,8 +148,10 @@ void SceneTools::frame_changed() {
   const bool typed = frame && frame->scene && typing_ &&
                      (typing_->target.body.empty() ? part_.has_value() : index_.contains(typing_->target.body));
   if (!typed && !draws) drop_typing();
+  select_awaited();
   if (!frame) waiting_keys_.clear();
-  if (!waiting_keys_.empty() && frame->scene) QTimer::singleShot(0, this, &SceneTools::press_waiting_keys);
+  if (!waiting_keys_.empty() && awaited_.empty() && frame->scene)
+    QTimer::singleShot(0, this, &SceneTools::press_waiting_keys);
   const bool held = frame && frame->scene && grab_ && index_.contains(grab_->body);
   const bool gone = state_ == State::kPressed && grab_ && !index_.contains(grab_->body);
   if ((state_ == State::kDrag && !held) || gone) state_ = State::kMute;

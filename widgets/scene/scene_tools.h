@@ -59,7 +59,10 @@ class SceneTools : public QObject {
   explicit SceneTools(std::function<SceneSight()> sight, QObject* parent = nullptr);
 
   [[nodiscard]] const std::vector<std::string>& selection() const { return selection_.names(); }
+  // Now, or once a frame shows them.
   void select(const std::vector<std::string>& names);
+  // Once the next frame has shown them, unless others are selected before; keys that edit the selection wait.
+  void select_when_shown(const std::vector<std::string>& names) { awaited_ = names; }
   // The chosen joint, spring or force; no body is selected then.
   [[nodiscard]] const std::optional<PartId>& part() const { return part_; }
   void choose(const std::optional<PartId>& part);
@@ -117,7 +120,8 @@ class SceneTools : public QObject {
   [[nodiscard]] std::optional<Typed> typed() const;
   // Whether a click on the bubble edits its value, and the click.
   [[nodiscard]] bool can_type_noted() const { return note_of_.has_value(); }
-  bool type_noted();  // false if it has no value to type
+  // False if it has no value to type; `first` is typed already.
+  bool type_noted(const QString& first = {});
   // Takes the text of the typed value, or returns one sentence on why it can't; `yields` as with Ctrl.
   [[nodiscard]] QString take_typed(const QString& text, bool yields);
   // Shows what the text would make of the scene, as far as it can be taken: with the next edit, or when typing
@@ -210,6 +214,7 @@ class SceneTools : public QObject {
   void end_note();
   [[nodiscard]] bool has_draft() const { return !draft_.empty() || first_end_.has_value(); }
   void set_selection(const std::vector<std::string>& names);
+  void select_awaited();
   void begin();
   void begin_drag();
   void drag_on();
@@ -260,10 +265,11 @@ class SceneTools : public QObject {
   void show_locks(Overlay& out) const;
   // Typed values (scene_tool_typing.cpp).
   [[nodiscard]] bool types_in_drag(int key, Qt::KeyboardModifiers keys) const;
+  [[nodiscard]] bool types_noted(int key, Qt::KeyboardModifiers keys) const;
   void begin_typing(Typing typing, const QString& first);
   void type_in_drag(const QString& first);
   void type_in_drawing(const QString& first);
-  void type_value_of(const Grab& target, const Bubble& where);
+  void type_value_of(const Grab& target, const Bubble& where, const QString& first = {});
   bool type_at(const QPointF& at);
   void take_preview_back(Typing& typing);
   void drop_typing();
@@ -289,6 +295,7 @@ class SceneTools : public QObject {
 
   std::function<SceneSight()> sight_;
   Selection selection_;
+  std::vector<std::string> awaited_;                 // see select_when_shown
   std::shared_ptr<const std::vector<Body>> bodies_;  // of `index_`
   std::unordered_map<std::string, int> index_;
   SceneTool tool_ = SceneTool::kSelect;
@@ -320,7 +327,7 @@ class SceneTools : public QObject {
   bool refitted_ = false;  // it has changed joints
   int drags_ = 0;          // number of the last one
   KeyRow row_;
-  std::vector<std::pair<int, Qt::KeyboardModifiers>> waiting_keys_;  // for the pause
+  std::vector<std::pair<int, Qt::KeyboardModifiers>> waiting_keys_;  // for the pause, or for awaited_
   Bubble note_;
   std::optional<Grab> note_of_;
   std::shared_ptr<Typing> typing_;

@@ -71,6 +71,7 @@ class SceneView : public QWidget {
   // The selected bodies, by name; those that vanish drop out.
   [[nodiscard]] const std::vector<std::string>& selection() const { return tools_->selection(); }
   void select(const std::vector<std::string>& names) { tools_->select(names); }
+  void select_when_shown(const std::vector<std::string>& names) { tools_->select_when_shown(names); }
   // The chosen joint, spring or force; no body is selected then.
   [[nodiscard]] const std::optional<PartId>& part() const { return tools_->part(); }
   void choose_part(const std::optional<PartId>& part) { tools_->choose(part); }

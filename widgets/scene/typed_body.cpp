@@ -37,6 +37,8 @@ class TypedBody : public TypedThing {
 
   [[nodiscard]] QString subject() const override { return QString::fromStdString(now_.name); }
 
+  [[nodiscard]] FormulaNames formula_names() const override { return carom::formula_names(now_); }
+
   [[nodiscard]] std::vector<TypedValue> values() const override {
     switch (start_.kind) {
       case HandleKind::kBody:

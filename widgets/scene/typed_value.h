@@ -9,6 +9,7 @@
 #include "physics/scene/edit.h"
 #include "physics/scene/limits.h"
 #include "physics/scene/part_id.h"
+#include "widgets/edit/quantity.h"
 #include "widgets/scene/drag.h"
 #include "widgets/scene/joint_tools.h"
 
@@ -40,6 +41,8 @@ class TypedThing {
   virtual ~TypedThing() = default;
   [[nodiscard]] virtual QString subject() const = 0;  // whose values they are: "light"
   [[nodiscard]] virtual std::vector<TypedValue> values() const = 0;
+  // That formulas know, beside g, pi and e.
+  [[nodiscard]] virtual FormulaNames formula_names() const { return {}; }
   // Sets one of them. `yields`: joints take the lengths that it needs, and overlaps stay.
   [[nodiscard]] virtual TypedEdit set(std::size_t index, double value, bool yields) = 0;
   // To try a value that is not taken yet.

@@ -220,6 +220,22 @@ TEST_F(LabHandsTest, CopiesAndDeletes) {
   EXPECT_EQ(window_.frame()->bodies->size(), 4U);
 }
 
+// Before a frame shows the copies, which are to be selected.
+TEST_F(LabHandsTest, KeysWaitForTheCopiesThatTheyMove) {
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(shows_start());
+  const Vec2 light = now("light").position;
+  select(light);
+  key(Qt::Key_D, Qt::ControlModifier);
+  for (int i = 0; i < 3; ++i) key(Qt::Key_Right);
+  key(Qt::Key_0);
+  ASSERT_TRUE(
+      wait_for([this] { return window_.frame()->bodies->size() == 3 && now("light-1").velocity.isZero(); }));
+  EXPECT_EQ(now("light").position, light);
+  EXPECT_FALSE(now("light").velocity.isZero());
+  EXPECT_EQ(window_.scene_view().selection(), std::vector<std::string>{"light-1"});
+}
+
 // The line to the first impact follows each edit of the start.
 TEST_F(LabHandsTest, AnEditShowsWhereTheBodiesMeet) {
   ASSERT_TRUE(window_.open("head-on"));

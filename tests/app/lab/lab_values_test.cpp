@@ -104,6 +104,23 @@ TEST_F(LabValuesTest, AClickOnTheBubbleEditsItsValue) {
   EXPECT_EQ(edits().undoText(), "Move A");
 }
 
+// The bubble still stands there. After keys a digit or a minus is a key again.
+TEST_F(LabValuesTest, ADigitAfterADragEditsItsValueToo) {
+  drag({-1.0, 0.0}, {-0.6, 0.0});
+  ASSERT_TRUE(shows_start());
+  key(Qt::Key_Minus);
+  ASSERT_EQ(field_name(), "x of A, m");
+  EXPECT_EQ(field()->text(), "-");
+  ASSERT_NO_FATAL_FAILURE(type_here("0.7"));
+  EXPECT_EQ(body(0).position.x(), -0.7);
+  EXPECT_EQ(field(), nullptr);
+  key(Qt::Key_Right);
+  const double radius = std::get<Disc>(body(0).shape).radius;
+  key(Qt::Key_Minus);
+  EXPECT_EQ(field(), nullptr);
+  EXPECT_LT(std::get<Disc>(body(0).shape).radius, radius);
+}
+
 TEST_F(LabValuesTest, ADoubleClickPutsTheCursorIntoTheValue) {
   double_click(pixel({1.0, 0.0}));
   EXPECT_EQ(field_name(), "x of B, m");
@@ -117,8 +134,8 @@ TEST_F(LabValuesTest, ADoubleClickPutsTheCursorIntoTheValue) {
   const double corner = 0.1 * window_.scene_view().camera().scale + 8.0;
   double_click(pixel({-1.0, 0.0}) + QPointF(-corner, corner).toPoint());
   ASSERT_EQ(field_name(), "Radius of A, m");
-  ASSERT_NO_FATAL_FAILURE(type_here("12 cm"));
-  EXPECT_EQ(std::get<Disc>(body(0).shape).radius, 0.12);
+  ASSERT_NO_FATAL_FAILURE(type_here("1.2*r"));
+  EXPECT_DOUBLE_EQ(std::get<Disc>(body(0).shape).radius, 0.12);
 }
 
 TEST_F(LabValuesTest, TheValueOfAFormulaIsSaidWhileItIsTyped) {
