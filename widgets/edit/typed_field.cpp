@@ -99,7 +99,9 @@ bool TypedField::event(QEvent* event) {
     event->accept();
     return true;
   }
-  if (!is_typing() && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+  // Nor does a text begin with a space, which plays.
+  const bool begins = key->key() == Qt::Key_Space && selectedText() == text();
+  if (!is_typing() && (begins || key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
     event->ignore();
     return false;
   }

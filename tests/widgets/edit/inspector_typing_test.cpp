@@ -34,6 +34,22 @@ TEST_F(InspectorTest, AFormulaKnowsTheBody) {
   EXPECT_EQ(sentences(), QStringList{"“r” is not known; formulas know g, pi and e."});
 }
 
+// A space plays, but where it belongs to what is typed.
+TEST_F(InspectorTest, ASpaceIsTheWindowsAfterEnter) {
+  select({"light"});
+  QLineEdit* mass = field("Mass, kg");
+  const auto is_typed = [mass] {
+    QKeyEvent space(QEvent::ShortcutOverride, Qt::Key_Space, Qt::NoModifier, " ");
+    space.ignore();
+    QApplication::sendEvent(mass, &space);
+    return space.isAccepted();
+  };
+  enter(mass, "2");
+  EXPECT_FALSE(is_typed());
+  type(mass, "30");
+  EXPECT_TRUE(is_typed());
+}
+
 TEST_F(InspectorTest, TheSameValueTypedOtherwiseIsNoEdit) {
   select({"light"});
   QLineEdit* x = field("Position x, m");
