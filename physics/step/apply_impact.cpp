@@ -125,6 +125,10 @@ ApplyImpact apply_impact_of(const Model& model) {
 void record_impact(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const Impact& impact,
                    double closing, double within) {
   RunSums& sums = world.sums;
+  // Where the slip turns round within the impact, friction may give energy: then restitution has taken less.
+  const double given = std::max(0.0, -impact.lost_to_friction);
+  const double lost_to_restitution = impact.lost_to_restitution - given;
+  const double lost_to_friction = impact.lost_to_friction + given;
   ++sums.impact_count;
   sums.impact_counts.add(a, b, impact.normal, world.mass());
   ImpactRecord record;
@@ -137,8 +141,8 @@ void record_impact(World& world, BodyIndex a, BodyIndex b, const Contact& contac
   record.closing_speed = closing;
   record.normal_impulse = impact.normal;
   record.tangential_impulse = impact.tangential;
-  record.lost_to_restitution = impact.lost_to_restitution;
-  record.lost_to_friction = impact.lost_to_friction;
+  record.lost_to_restitution = lost_to_restitution;
+  record.lost_to_friction = lost_to_friction;
   record.lost_to_sticking = impact.lost_to_sticking;
   if (world.log.records.size() < kMostLogged) {
     world.log.records.push_back(record);
@@ -150,8 +154,8 @@ void record_impact(World& world, BodyIndex a, BodyIndex b, const Contact& contac
     sums.notices.gained += impact.energy_gain;
   }
   Ledger& ledger = sums.ledger;
-  ledger.lost_to_restitution += impact.lost_to_restitution;
-  ledger.lost_to_friction += impact.lost_to_friction;
+  ledger.lost_to_restitution += lost_to_restitution;
+  ledger.lost_to_friction += lost_to_friction;
   ledger.lost_to_sticking += impact.lost_to_sticking;
 }
 

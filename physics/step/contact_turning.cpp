@@ -35,22 +35,13 @@ struct Flown {
   Pose end;
   Eigen::Vector3d moved;  // m and rad
   Vec2 mean;              // m: where the arms of all forces on the body start
-  bool goes_on;           // whether the guessed forces leave its motion through the step about as it is
+  bool goes_on;           // see GuessedFlight
 };
 
-bool goes_on(const World& world, double h, const GuessedFlight& flight, BodyIndex body) {
-  if (world.infinite_mass(body)) return true;
-  const Eigen::Vector3d change = flight.velocity.col(body) - world.trajectories.at_start(body).segment<3>(3);
-  const double size = world.shapes().size[body];
-  return h * change.head<2>().norm() <= kMostGuessed * size && h * std::abs(change[2]) <= kMostGuessed &&
-         change.head<2>().norm() + std::abs(change[2]) * size <= kMostSudden * h * flight.press[body];
-}
-
-// Where forces do not go on, all arms start at the body's place at the start of the step.
 Flown flown(const World& world, double h, const GuessedFlight& flight, BodyIndex body) {
   const Eigen::Vector3d from = world.trajectories.at_start(body).head<3>();
   const Eigen::Vector3d to = flight.position.col(body);
-  const bool on = goes_on(world, h, flight, body);
+  const bool on = flight.goes_on[static_cast<std::size_t>(body)] != 0;
   const Vec2 mean = on ? arm_start(world, h, flight, body) : Vec2(from.head<2>());
   return {world.shapes().pose(body, to), to - from, mean, on};
 }
@@ -90,10 +81,22 @@ bool leaves(const Contacts& c, int i, const ManifoldPoint& at, const Manifold& e
   return at.gap - 0.5 * along_end * h * h > 0.0 && parting - along_end * h > 0.0;
 }
 
-// A contact that keeps its normal: its point moves with the discs, or as its bodies do on average. Without
-// `moves`, these move alike.
-GuessedEnd carried(const Geometry& g, const Contacts& c, int i, const Vec2& start, const Flown& a,
-                   const Flown& b, bool moves) {
+// m: from a point to the nearest corner of this part of a body.
+double from_corner(const World& world, BodyIndex body, ShapeIndex part, const Vec2& point) {
+  const Geometry& g = world.shapes();
+  double nearest = std::numeric_limits<double>::infinity();
+  if (g.shapes.core[part] == Core::kHalfPlane) return nearest;
+  const Pose pose = g.part_pose(body, part, pose_at_start(world, body));
+  const Vec2 at = pose.turned_back(Vec2(point - pose.position));
+  const Corner* corner = g.shapes.corners_of(part);
+  for (int k = 0; k < g.shapes.corners[part]; ++k) nearest = std::min(nearest, (corner[k].vertex - at).norm());
+  return nearest;
+}
+
+// A contact that keeps its normal: its point moves with the disc, with the corner that slides on over a seam,
+// or as its bodies do on average. Without `moves`, both bodies move alike.
+GuessedEnd carried(const World& world, const Contacts& c, int i, std::uint32_t id, const Vec2& start,
+                   const Flown& a, const Flown& b, bool moves, bool slides_on) {
   GuessedEnd end{start, c.normal[i], c.gap[i]};
   if (!moves) {
     end.point += 0.5 * (a.moved + b.moved).head<2>();
@@ -101,10 +104,15 @@ GuessedEnd carried(const Geometry& g, const Contacts& c, int i, const Vec2& star
     const Vec2 by_a = a.moved.head<2>() + a.moved[2] * crossed(c.arm_a[i]);
     const Vec2 by_b = b.moved.head<2>() + b.moved[2] * crossed(c.arm_b[i]);
     end.gap += (by_b - by_a).dot(c.normal[i]);
-    if (g.is_disc(c.a[i]) == g.is_disc(c.b[i])) {
+    const Geometry& g = world.shapes();
+    if (g.is_disc(c.a[i]) != g.is_disc(c.b[i])) {
+      end.point += (g.is_disc(c.a[i]) ? a : b).moved.head<2>();
+    } else if (!slides_on) {
       end.point += 0.5 * (by_a + by_b);
     } else {
-      end.point += (g.is_disc(c.a[i]) ? a : b).moved.head<2>();
+      const ShapePair parts = parts_at(g, c.a[i], c.b[i], id);
+      const bool of_a = from_corner(world, c.a[i], parts.a, start) < from_corner(world, c.b[i], parts.b, start);
+      end.point += of_a ? by_a : by_b;
     }
   }
   return end;
@@ -126,6 +134,18 @@ double turn_contact(Contacts& c, int i, const Vec2& start, const GuessedEnd& end
 
 }  // namespace
 
+void note_going_on(const World& world, double h, GuessedFlight& flight) {
+  flight.goes_on.assign(static_cast<std::size_t>(world.bodies()), 1);
+  for (BodyIndex i{0}; i < world.bodies(); ++i) {
+    if (world.infinite_mass(i)) continue;
+    const Eigen::Vector3d change = flight.velocity.col(i) - world.trajectories.at_start(i).segment<3>(3);
+    const double size = world.shapes().size[i];
+    flight.goes_on[static_cast<std::size_t>(i)] =
+        h * change.head<2>().norm() <= kMostGuessed * size && h * std::abs(change[2]) <= kMostGuessed &&
+        change.head<2>().norm() + std::abs(change[2]) * size <= kMostSudden * h * flight.press[i];
+  }
+}
+
 void turn_contacts(World& world, double h, const GuessedFlight& flight, const Neighbours& neighbours,
                    FoundContacts& found) {
   Contacts& c = found.contacts;
@@ -144,20 +164,21 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
       continue;
     }
     const bool turns = moved(world, ka, a, kb, b);
-    Manifold end;
+    Manifold whole, end;
     for (int i = first; i < last; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const double allowed = c.target[i];
       if (turns && (i == first || parts_of(found.id[k]) != parts_of(found.id[k - 1]))) {
-        end = manifold_of(shapes, ka, a.end, kb, b.end, found.id[k], std::numeric_limits<double>::infinity());
+        whole = manifold_of(shapes, ka, a.end, kb, b.end, found.id[k], std::numeric_limits<double>::infinity());
         // Where a neighbour continues the surface, the contact does not turn about the edge.
         end = exposed_points(
-            world, ka, kb, end, neighbours.of_pair(world, ka, kb),
+            world, ka, kb, whole, neighbours.of_pair(world, ka, kb),
             [&](BodyIndex body) { return shapes.pose(body, flight.position.col(body)); },
             [](const ManifoldPoint&) {});
       }
       const int point = turns ? point_with(end, found.id[k]) : -1;
       const ManifoldPoint* at = point < 0 ? nullptr : &end.points[static_cast<std::size_t>(point)];
+      const bool slides_on = turns && at == nullptr && (end.count == 0 || point_with(whole, found.id[k]) >= 0);
       const double press = (std::max(found.press[k], 0.0) + turning_press(world, c, i)) * h;
       const bool turns_far = !goes_on || (at != nullptr && end.normal.dot(c.normal[i]) <= kLeastCosine);
       const double own = found.guess[k][0] * (world.mass().inverse_mass[ka] + world.mass().inverse_mass[kb]);
@@ -170,9 +191,11 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
         set_arms(c, i, found.point[k], a, b);
         continue;
       }
-      GuessedEnd guess = carried(world.shapes(), c, i, found.point[k], a, b, turns);
+      // Where another contact still holds what comes onto this one, nothing presses this one yet.
+      const double held = std::max(press, h * std::max(flight.press[ka], flight.press[kb]));
+      GuessedEnd guess = carried(world, c, i, found.id[k], found.point[k], a, b, turns, slides_on);
       if (at != nullptr && end.normal.dot(c.normal[i]) > kLeastCosine &&
-          end_velocity(c, i, at->point, end.normal, a, b, flight.velocity).normal >= -kMostClosing * press)
+          end_velocity(c, i, at->point, end.normal, a, b, flight.velocity).normal >= -kMostClosing * held)
         guess = {at->point, end.normal, at->gap};
       const double parting = turn_contact(c, i, found.point[k], guess, a, b, flight.velocity, arms.along);
       if (found.is_new(i) || !std::isfinite(allowed)) continue;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <vector>
 
 #include "physics/step/contact_finder.h"
 #include "physics/step/neighbours.h"
@@ -18,7 +20,12 @@ struct GuessedFlight {
   Eigen::Matrix3Xd position;  // at the end
   Eigen::Matrix3Xd velocity;  // at the end
   Eigen::ArrayXd press;       // m/s², see ContactPressing::between
+  // By body: the guessed forces leave its motion through the step about as it is. Elsewhere all arms start at
+  // the body's place at the start of the step.
+  std::vector<std::uint8_t> goes_on;
 };
+// Finds `goes_on` from the other members.
+void note_going_on(const World& world, double h, GuessedFlight& flight);
 
 // Sets normals and arms of the contacts for forces that are constant in a step of h s, and targets for the
 // velocities at its end, where contacts turn with their bodies.

@@ -22,6 +22,8 @@ constexpr double kBeforeEnd = 2.5e-5;
 constexpr double kCornerAtEnd = 3e-5;
 // Sine by which a normal and that of a face differ at most.
 constexpr double kOnFace = 1e-7;
+// Relative to the size of what slides or rolls over a seam.
+constexpr double kPastSeam = 2e-7;
 // Likewise: a corner so near a contact is the one that touches.
 constexpr double kAtCorner = 4e-5;
 // rad: corners that turn by less are no ends; the normal turns there as along a curve.
@@ -90,27 +92,41 @@ Sides sides_of(const World& world, const FoundContacts& found, int i) {
   return {{a, parts.a, pose(a, parts.a), n}, {b, parts.b, pose(b, parts.b), -n}};
 }
 
-// Nothing where two faces lie on each other: there corners of both touch, and the last to go tilts first.
-std::optional<TouchOnFace> touch_on_face(const World& world, const FoundContacts& found, int i) {
+// Contact i as that of a disc or a corner of the other side on this face.
+std::optional<TouchOnFace> touch_by(const World& world, const FoundContacts& found, int i, TouchOnFace face,
+                                    const Sides::Side& own, const Sides::Side& other) {
   const ConvexShapes& shapes = world.shapes().shapes;
-  const auto [a, b] = sides_of(world, found, i);
-  std::optional<TouchOnFace> of_a = a.face(shapes);
-  std::optional<TouchOnFace> of_b = b.face(shapes);
-  if (of_a.has_value() == of_b.has_value()) return std::nullopt;
-  std::optional<TouchOnFace>& face = of_a ? of_a : of_b;
-  const Sides::Side& own = of_a ? a : b;
-  const Sides::Side& other = of_a ? b : a;
   if (!is_round(shapes, other.part)) {
     const Corner* corner =
         corner_at(shapes, other.part, other.of_part(found.point[static_cast<std::size_t>(i)]),
-                  kAtCorner * sizes(world, a.body, b.body));
+                  kAtCorner * sizes(world, own.body, other.body));
     if (corner == nullptr) return std::nullopt;
-    face->tip = corner->vertex;
+    face.tip = corner->vertex;
   }
-  face->toucher = other.body;
-  face->toucher_part = other.part;
-  face->body = own.body;
+  face.toucher = other.body;
+  face.toucher_part = other.part;
+  face.body = own.body;
   return face;
+}
+
+// Where corners of both are near, it is the nearer one that touches.
+std::optional<TouchOnFace> touch_on_face(const World& world, const FoundContacts& found, int i) {
+  const ConvexShapes& shapes = world.shapes().shapes;
+  const auto [a, b] = sides_of(world, found, i);
+  const std::optional<TouchOnFace> of_a = a.face(shapes);
+  const std::optional<TouchOnFace> of_b = b.face(shapes);
+  std::optional<TouchOnFace> on_a, on_b;
+  if (of_a) on_a = touch_by(world, found, i, *of_a, a, b);
+  if (of_b) on_b = touch_by(world, found, i, *of_b, b, a);
+  if (on_a && on_b) {
+    const Vec2 point = found.point[static_cast<std::size_t>(i)];
+    const double by_b = (on_a->tip - b.of_part(point)).norm();
+    const double by_a = (on_b->tip - a.of_part(point)).norm();
+    (by_b < by_a ? on_b : on_a).reset();
+  }
+  std::optional<TouchOnFace>& on = on_a ? on_a : on_b;
+  if (on) on->flat = of_a && of_b;
+  return on;
 }
 
 // m, in the plane.
@@ -141,6 +157,59 @@ double beyond(const TouchOnFace& on, double place) { return on.towards_end ? pla
 
 bool is_corner(const World& world, const TouchOnFace& on) {
   return !is_round(world.shapes().shapes, on.toucher_part);
+}
+
+const SurfaceLaw& law_on(const World& world, const TouchOnFace& on, BodyIndex body, ShapeIndex part) {
+  Contact contact;
+  if (on.toucher < body) {
+    contact.parts = {on.toucher_part, part};
+    return world.material(contact, on.toucher, body);
+  }
+  contact.parts = {part, on.toucher_part};
+  return world.material(contact, body, on.toucher);
+}
+
+// m: so far beyond the end of a face only the next one is touched.
+double past_seam(const World& world, const TouchOnFace& on) {
+  const double size = world.shapes().size[on.toucher];
+  return std::max(kPastSeam * size, 4.0 * kFlush * sizes(world, on.body, on.toucher));
+}
+
+// Whether another part, of the body or of another one, goes on with the face beyond the end to which the
+// contact moves, under another law.
+bool changes_there(const World& world, const TouchOnFace& on, const Neighbours& neighbours) {
+  const Geometry& g = world.shapes();
+  const auto pose = [&](BodyIndex body, ShapeIndex part) {
+    return g.part_pose(body, part, pose_at_start(world, body));
+  };
+  const Pose of_face = pose(on.body, on.part);
+  const double past = past_seam(world, on);
+  const Vec2 along = crossed(on.normal);
+  const Vec2 beyond =
+      on.towards_end ? Vec2(on.vertex + (on.length + past) * along) : Vec2(on.vertex - past * along);
+  const Vec2 point = of_face.position + of_face.turned(beyond);
+  const Vec2 normal = of_face.turned(on.normal);
+  const SurfaceLaw& law = law_on(world, on, on.body, on.part);
+  bool changes = false;
+  const auto look = [&](BodyIndex body) {
+    g.each_part(body, [&](ShapeIndex part) {
+      if ((body == on.body && part == on.part) || !has_faces(g.shapes, part) || changes) return;
+      const Pose there = pose(body, part);
+      const std::optional<TouchOnFace> face = face_with(g.shapes, part, there.turned_back(normal));
+      if (!face) return;
+      const Vec2 d = there.turned_back(Vec2(point - there.position)) - face->vertex;
+      const double place = cross(face->normal, d);
+      const double tolerance = kFlush * sizes(world, on.body, on.toucher) + 1e-12 * point.lpNorm<1>();
+      changes = std::abs(face->normal.dot(d)) <= tolerance && place >= 0.0 && place <= face->length &&
+                law_on(world, on, body, part) != law;
+    });
+  };
+  if (g.has_parts(on.body)) look(on.body);
+  const auto [a, b] = std::minmax(on.toucher, on.body);
+  for (const BodyIndex other : neighbours.of_pair(world, a, b)) {
+    if (other != a && other != b && world.can_collide(other, on.toucher)) look(other);
+  }
+  return changes;
 }
 
 // Whether another part goes on with the surface of a side at this corner of it: the other side leaves no
@@ -178,8 +247,8 @@ bool ends_there(World& world, const TouchOnFace& on, double time, const Neighbou
 
 }  // namespace
 
-void find_touches_near_ends(const World& world, const FoundContacts& found, double h,
-                            std::vector<TouchOnFace>& touches) {
+void find_touches_near_ends(const World& world, const FoundContacts& found, const Neighbours& neighbours,
+                            double h, std::vector<TouchOnFace>& touches) {
   touches.clear();
   for (int i = 0; i < found.contacts.size(); ++i) {
     std::optional<TouchOnFace> on = touch_on_face(world, found, i);
@@ -192,7 +261,10 @@ void find_touches_near_ends(const World& world, const FoundContacts& found, doub
     const double at_end = (is_corner(world, *on) ? kCornerAtEnd : kAtEnd) * sizes(world, on->body, on->toucher);
     const double press = std::abs(found.press[static_cast<std::size_t>(i)]);
     // Forces may double the speed.
-    if (on->left > at_end && on->left <= (2.0 * std::abs(speed) + press * h) * h) touches.push_back(*on);
+    const double reach = (2.0 * std::abs(speed) + press * h) * h;
+    if (!(on->left <= reach && on->left > -past_seam(world, *on))) continue;
+    on->changes = world.model->surfaces.materials > 1 && changes_there(world, *on, neighbours);
+    if (on->changes || (!on->flat && on->left > at_end)) touches.push_back(*on);
   }
 }
 
@@ -201,15 +273,16 @@ double first_face_end(World& world, const std::vector<TouchOnFace>& touches, con
   double first = h;
   for (const TouchOnFace& on : touches) {
     const double before = is_corner(world, on) ? kBeforeEnd * sizes(world, on.body, on.toucher) : 0.0;
+    const double place = on.changes ? past_seam(world, on) : -before;
     const auto left = [&](double t) {
-      return -before - beyond(on, place_along(world, on, world.trajectories.at(on.toucher, t),
-                                              world.trajectories.at(on.body, t)));
+      return place - beyond(on, place_along(world, on, world.trajectories.at(on.toucher, t),
+                                            world.trajectories.at(on.body, t)));
     };
     const double now = left(0.0);
     const double then = left(first);
     if (!(now > 0.0 && then < 0.0)) continue;
     const double time = bracketed_root(left, 0.0, now, first, then);
-    if (ends_there(world, on, time, neighbours)) first = time;
+    if (on.changes || ends_there(world, on, time, neighbours)) first = time;
   }
   return first;
 }

@@ -43,7 +43,7 @@ bool resolve(World& world, ImpactCluster& cluster, const std::vector<Hit>& toget
 
 void resolve_in_order(World& world, HitsAtOnce& buffers, double h, double within,
                       const std::function<void(const Hit&)>& resolve_alone) {
-  const bool all = world.model->several_impacts == SeveralImpactsId::kSimultaneous;
+  const bool all = takes_touches(world);
   const double same = all ? std::numeric_limits<double>::infinity() : kSameMoment * h;
   auto& [hits, together, cluster] = buffers;
   // The first to touch at the back, and of one moment in the order of the bodies: not in that of the list.

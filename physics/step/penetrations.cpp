@@ -8,6 +8,7 @@
 
 #include "physics/step/apply_impact.h"
 #include "physics/step/contact_patch.h"
+#include "physics/step/hits_in_order.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/neighbours.h"
 #include "physics/step/pair_motion.h"
@@ -84,7 +85,8 @@ bool has_met(const Approach& at, double h) {
   return at.contact.gap < 0.0 && at.speed < 0.0 && at.contact.gap < kSameMoment * h * at.speed;
 }
 
-// The pairs that overlap and close, where a body that moves is in several of them.
+// The pairs that overlap and close, where a body that moves is in several of them; with these also what
+// touches, if the scene says so.
 void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighbours& neighbours, double h,
                std::vector<Hit>& hits) {
   hits.clear();
@@ -96,6 +98,15 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighb
     world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
       const Approach at = overlap_of(world, a, b, {part_a, part_b}, neighbours);
       if (has_met(at, h)) hits.push_back({a, b, at.contact, -at.contact.gap / at.speed});
+    });
+  }
+  if (!takes_touches(world) || hits.empty()) return;
+  for (const auto& [a, b, resting] : pairs) {
+    if (resting || !world.can_collide(a, b)) continue;
+    world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
+      const double tolerance = touch_tolerance(world, a, b);
+      const Approach at = world.approach(a, b, tolerance, {part_a, part_b});
+      if (at.contact.gap <= tolerance && !has_met(at, h)) hits.push_back({a, b, at.contact, 0.0});
     });
   }
 }

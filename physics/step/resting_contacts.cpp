@@ -85,7 +85,7 @@ void RestingContacts::support(World& world, double h, bool may_divide) {
   linear_.begin_part(world.trajectories.epoch(), step_length_);
   if (may_divide) {
     supported_ = first_break(world, found_.contacts, h);
-    find_touches_near_ends(world, found_, supported_, near_ends_);
+    find_touches_near_ends(world, found_, finder_.neighbours(), supported_, near_ends_);
     if (!near_ends_.empty()) {
       push_as_before(world);
       supported_ = end_of_faces(world, supported_);

@@ -214,6 +214,7 @@ void RestingContacts::find_forces(World& world, double h) {
       push_as_before(world);
     }
     fly(world, h);
+    note_going_on(world, h, flight_);
     turn_contacts(world, h, flight_, finder_.neighbours(), found_);
     prepare(world);
     report = solve_flight(world, h, options);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -22,6 +23,21 @@ namespace {
 // list, in which impulses go farther in one round.
 constexpr int kMostStrikes = 16;
 constexpr int kListed = 8;
+
+// All contacts that touch, beside the hits among them.
+void add_touches(const World& world, const FoundContacts& found, std::vector<Hit>& hits) {
+  const std::size_t count = hits.size();
+  const Contacts& c = found.contacts;
+  for (int i = 0; i < c.size(); ++i) {
+    if (!world.can_collide(c.a[i], c.b[i]) || c.gap[i] > touch_tolerance(world, c.a[i], c.b[i])) continue;
+    const auto end = hits.begin() + static_cast<std::ptrdiff_t>(count);
+    if (std::any_of(hits.begin(), end, [&](const Hit& hit) { return hit.a == c.a[i] && hit.b == c.b[i]; }))
+      continue;
+    const auto k = static_cast<std::size_t>(i);
+    const ShapePair parts = parts_at(world.shapes(), c.a[i], c.b[i], found.id[k]);
+    hits.push_back({c.a[i], c.b[i], {c.gap[i], c.normal[i], found.point[k], parts}, 0.0});
+  }
+}
 
 }  // namespace
 
@@ -133,6 +149,7 @@ void RestingContacts::strike(World& world, double h) {
         if (at) hits.push_back({a, b, at->contact, at->contact.gap / -at->speed});
       });
     });
+    if (takes_touches(world) && !hits.empty()) add_touches(world, found_, hits);
     for (const Hit& hit : hits) {
       note_struck(hit.a, round);
       note_struck(hit.b, round);

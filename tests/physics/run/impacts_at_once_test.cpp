@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/run/run_setup.h"
 #include "tests/support/scenes.h"
 
@@ -381,6 +382,26 @@ TEST(ImpactsAtOnce, ABoxLandsFlatOnTwoFloorsThatDiffer) {
     run.advance_to(0.126);
     EXPECT_NEAR(run.state().velocity(2).y(), 1.0, 1e-12) << swapped;
     EXPECT_NEAR(run.state().v(2, 2), 0.6 * 2.0 / 0.8, 1e-12) << swapped;
+  }
+}
+
+// Where all that touches takes part, one ball on two that touch leaves with -1/3, at the step's end too.
+TEST(ImpactsAtOnce, WhatTouchesTakesPartInEveryWay) {
+  for (const auto& impacts : kImpacts) {
+    for (const ContactsId contacts : {ContactsId::kLasting, ContactsId::kImpulse}) {
+      for (const double h : {1.0 / 60.0, 0.01, 0.003}) {
+        RunSetup s = test::setup_with({test::disc("cue", {-0.7, 0.0}, {1.0, 0.0}, 0.1),
+                                       test::disc("b", {0.0, 0.0}, {0.0, 0.0}, 0.1),
+                                       test::disc("c", {0.2, 0.0}, {0.0, 0.0}, 0.1)});
+        s.scene.several_impacts = SeveralImpactsId::kSimultaneous;
+        s.method = {IntegratorId::kRk4, impacts.id, contacts, h};
+        Simulation run(s);
+        run.advance_to(0.6);
+        EXPECT_NEAR(run.state().velocity(0).x(), -1.0 / 3.0, 1e-12) << impacts.name << ", " << h;
+        EXPECT_NEAR(run.state().velocity(1).x(), 2.0 / 3.0, 1e-12) << impacts.name << ", " << h;
+        EXPECT_NEAR(run.state().velocity(2).x(), 2.0 / 3.0, 1e-12) << impacts.name << ", " << h;
+      }
+    }
   }
 }
 

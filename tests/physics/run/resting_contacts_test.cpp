@@ -411,5 +411,33 @@ TEST(RestingContacts, RollingOffARoundTopIsOfSecondOrder) {
   EXPECT_LT(errors[2], kG * 0.0025 * 0.0025);
 }
 
+// A disc of 2 kg, R = 0.1 m, that a torque τ = 3 N m spins on a rough floor: it slides all the way, x = μ g
+// t²/2 and ω = -(τ - μ m g R) t/I, however far it turns in a step.
+TEST(RestingContacts, WheelspinLosesTheWorkOfItsSlip) {
+  for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
+    for (const double h : {1.0 / 30.0, 1.0 / 60.0, 0.01, 0.002}) {
+      RunSetup s = test::setup_with(
+          {test::fixed("floor", Wall{}, {0.0, 0.0}), test::disc("wheel", {0.0, 0.1}, {0.0, 0.0}, 0.1)}, 0.0,
+          0.5);
+      s.scene.bodies[1].mass = 2.0;
+      s.scene.forces.gravity = {0.0, -9.81};
+      AppliedForce motor;
+      motor.body = "wheel";
+      motor.torque = -3.0;
+      s.scene.forces.applied = {motor};
+      s.method = {IntegratorId::kRk4, impacts, ContactsId::kLasting, h};
+      Simulation run(s);
+      const double t = 0.6;
+      run.advance_to(t);
+      const double acceleration = 0.5 * 9.81;
+      const double turning = (3.0 - 0.5 * 2.0 * 9.81 * 0.1) / (0.5 * 2.0 * 0.01);
+      EXPECT_NEAR(run.state().position(1).x(), 0.5 * acceleration * t * t, 1e-9) << h;
+      EXPECT_NEAR(run.state().v(2, 1), -turning * t, 1e-9) << h;
+      const double slip = 0.5 * t * t * (0.1 * turning - acceleration);
+      EXPECT_NEAR(run.ledger().lost_to_friction, 0.5 * 2.0 * 9.81 * slip, 1e-9) << h;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom
