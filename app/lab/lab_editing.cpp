@@ -232,8 +232,12 @@ void LabWindow::paste() {
 
 void LabWindow::paste_at(const QPointF& at) {
   if (session_.runs().scene() == nullptr) return;
+  const QString text = QApplication::clipboard()->text();
+  if (!text.trimmed().startsWith('{'))
+    return inspector_->say(
+        tr("The clipboard holds no bodies. Copy some in the scene, or the text of a preset."));
   try {
-    const Preset from = parse_preset(QApplication::clipboard()->text().toStdString(), "clipboard");
+    const Preset from = parse_preset(text.toStdString(), "clipboard");
     const Extent extent = extent_of(all_bodies(from.scene));
     const bool bounded = (extent.upper.array() >= extent.lower.array()).all();
     const Vec2 middle = bounded ? Vec2(0.5 * (extent.lower + extent.upper)) : Vec2(Vec2::Zero());

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -277,7 +278,9 @@ void StopEditor::take_choices() {
 
 void StopEditor::take_sentence() {
   try {
-    show_stop(stop_of("stop", sentence_->text().trimmed().toStdString()));
+    static const QRegularExpression decimal_comma("(?<=\\d),(?=\\d)");
+    const QString sentence = sentence_->text().trimmed().replace(decimal_comma, ".");
+    show_stop(stop_of("stop", sentence.toStdString()));
   } catch (const SceneError& error) {
     refuse(QString::fromStdString(error.what()));
   }
@@ -286,6 +289,10 @@ void StopEditor::take_sentence() {
 void StopEditor::take(const Stop& stop) {
   NamedBodies named;
   for (const Body& body : bodies_) named.emplace(body.name, &body);
+  for (const std::string* name : {&stop.body, &stop.with}) {
+    if (!name->empty() && !named.contains(*name))
+      return refuse(tr("There is no body “%1” here.").arg(QString::fromStdString(*name)));
+  }
   try {
     check_stop("stop", stop, named);
   } catch (const SceneError& error) {

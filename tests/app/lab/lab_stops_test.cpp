@@ -128,6 +128,25 @@ TEST_F(LabStopsTest, WordsOfTheChoicesAreWhole) {
   close_editor();
 }
 
+TEST_F(LabStopsTest, ASentenceMayHaveADecimalCommaAndNamesWhatIsMissing) {
+  action("Stops...")->trigger();
+  const auto type = [this](const QString& text) {
+    sentence()->clear();
+    QTest::keyClicks(sentence(), text);
+  };
+  const auto fault = [this] {
+    const auto* label = part<QLabel>("What is wrong");
+    return label->isVisible() ? label->text() : QString();
+  };
+  type("when dark passes x = 0,4 m");
+  EXPECT_EQ(fault(), "There is no body “dark” here.");
+  type("when light passes x = 0,4 m");
+  EXPECT_EQ(fault(), "");
+  QTest::keyClick(sentence(), Qt::Key_Return);
+  close_editor();
+  EXPECT_EQ(sentences(), std::vector<std::string>{"when light passes x = 0.4 m"});
+}
+
 TEST_F(LabStopsTest, TheRecordMeetsThemAgain) {
   set_stops({"at the 1st impact", "at 0.5 s", "at 0.503 s"});
   window_.run_until(1.0);
