@@ -40,7 +40,7 @@ namespace carom {
 namespace {
 
 constexpr double kSumWidth = 4.5;  // px
-constexpr int kLeastHeight = 136;  // px
+constexpr int kLeastHeight = 120;  // px: two of them below the inspector of a small window
 
 }  // namespace
 
