@@ -38,7 +38,8 @@ bool is_lock(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_L && k
 bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
   if (types_in_drag(key, keys) || types_noted(key, keys)) return true;
   if (key == Qt::Key_Escape) {
-    return state_ != State::kNone || tool_ != SceneTool::kSelect || !selection_.empty() || part_;
+    return state_ != State::kNone || tool_ != SceneTool::kSelect || !selection_.empty() || !awaited_.empty() ||
+           part_;
   }
   if (key == Qt::Key_A && keys == Qt::ControlModifier) return bodies_ != nullptr;
   if (is_enter(key, keys)) return tool_ != SceneTool::kSelect;
