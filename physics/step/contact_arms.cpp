@@ -14,8 +14,9 @@ StepArms arms_of(IntegratorId integrator) {
 }
 
 Vec2 arm_start(const World& world, double h, const GuessedFlight& flight, BodyIndex body) {
+  Vec2 from = world.trajectories.at_start(body).head<2>();
+  if (flight.goes_on[static_cast<std::size_t>(body)] == 0) return from;
   const StepArms arms = arms_of(world.method.integrator);
-  const Vec2 from = world.trajectories.at_start(body).head<2>();
   const Vec2 straight = h * world.trajectories.at_start(body).segment<2>(3);
   Vec2 start = from + arms.along * straight;
   if (arms.bend > 0.0) {

@@ -16,8 +16,9 @@ struct StepArms {
 };
 [[nodiscard]] StepArms arms_of(IntegratorId integrator);
 
-// m: where the arms of contact forces on a body start in a step of h s, under all its other forces. Contact
-// forces have no moment, all together, about where they lead to themselves.
+// m: where the arms of contact forces on a body start in a step of h s, under all its other forces; where its
+// motion does not go on, at its place at the start. Contact forces have no moment, all together, about where
+// they lead to themselves.
 [[nodiscard]] Vec2 arm_start(const World& world, double h, const GuessedFlight& flight, BodyIndex body);
 
 }  // namespace carom

@@ -41,9 +41,8 @@ struct Flown {
 Flown flown(const World& world, double h, const GuessedFlight& flight, BodyIndex body) {
   const Eigen::Vector3d from = world.trajectories.at_start(body).head<3>();
   const Eigen::Vector3d to = flight.position.col(body);
-  const bool on = flight.goes_on[static_cast<std::size_t>(body)] != 0;
-  const Vec2 mean = on ? arm_start(world, h, flight, body) : Vec2(from.head<2>());
-  return {world.shapes().pose(body, to), to - from, mean, on};
+  return {world.shapes().pose(body, to), to - from, arm_start(world, h, flight, body),
+          flight.goes_on[static_cast<std::size_t>(body)] != 0};
 }
 
 bool moved(const World& world, int ka, const Flown& a, int kb, const Flown& b) {
@@ -171,10 +170,12 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
       if (turns && (i == first || parts_of(found.id[k]) != parts_of(found.id[k - 1]))) {
         whole = manifold_of(shapes, ka, a.end, kb, b.end, found.id[k], std::numeric_limits<double>::infinity());
         // Where a neighbour continues the surface, the contact does not turn about the edge.
-        end = exposed_points(
-            world, ka, kb, whole, neighbours.of_pair(world, ka, kb),
-            [&](BodyIndex body) { return shapes.pose(body, flight.position.col(body)); },
-            [](const ManifoldPoint&) {});
+        const auto pose = [&](BodyIndex body) { return shapes.pose(body, flight.position.col(body)); };
+        const auto others = neighbours.of_pair(world, ka, kb);
+        end = exposed_points(world, ka, kb, whole, others, pose, [](const ManifoldPoint&) {});
+        if (end.count == 0 && whole.count == 1 &&
+            turns_about_corner(world, ka, kb, c.normal[i], whole.contact(0), others, pose))
+          end = whole;
       }
       const int point = turns ? point_with(end, found.id[k]) : -1;
       const ManifoldPoint* at = point < 0 ? nullptr : &end.points[static_cast<std::size_t>(point)];

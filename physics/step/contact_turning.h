@@ -20,8 +20,7 @@ struct GuessedFlight {
   Eigen::Matrix3Xd position;  // at the end
   Eigen::Matrix3Xd velocity;  // at the end
   Eigen::ArrayXd press;       // m/s², see ContactPressing::between
-  // By body: the guessed forces leave its motion through the step about as it is. Elsewhere all arms start at
-  // the body's place at the start of the step.
+  // By body: the guessed forces leave its motion through the step about as it is.
   std::vector<std::uint8_t> goes_on;
 };
 // Finds `goes_on` from the other members.

@@ -50,7 +50,7 @@ void record_support(World& world, const Contacts& c, const GaussContacts& linear
   // m: from the middle of a body's path to where its contacts' arms start. Those leave out what the contact
   // forces themselves do, which all together do no work there.
   const auto off = [&](BodyIndex body) -> Vec2 {
-    if (world.infinite_mass(body) || flight.goes_on[static_cast<std::size_t>(body)] == 0) return Vec2::Zero();
+    if (world.infinite_mass(body)) return Vec2::Zero();
     return arm_start(world, passed / share, flight, body) - world.state.position(body) -
            0.5 * passed * mean.col(body).head<2>();
   };

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
-#include "physics/collision/pair_contact.h"
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/roots.h"
 #include "physics/math/vectors.h"
-#include "physics/step/internal_edges.h"
+#include "physics/step/contact_sides.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -20,271 +19,168 @@ constexpr double kAtEnd = 1e-12;
 // nearer ones have reached the end. Beyond, faces that nearly touch beside the corner may be taken.
 constexpr double kBeforeEnd = 2.5e-5;
 constexpr double kCornerAtEnd = 3e-5;
-// Sine by which a normal and that of a face differ at most.
-constexpr double kOnFace = 1e-7;
-// Relative to the size of what slides or rolls over a seam.
-constexpr double kPastSeam = 2e-7;
-// Likewise: a corner so near a contact is the one that touches.
-constexpr double kAtCorner = 4e-5;
 // rad: corners that turn by less are no ends; the normal turns there as along a curve.
-constexpr double kLeastCorner = 0.2;
+constexpr double kLeastCorner = 0.05;
 // rad: beyond an end the normal turns to this side of the face's own; far enough to tell a corner from
 // rounding.
 constexpr double kBeyond = 0.05;
 
-// The face that has this outward normal in its body's frame.
-std::optional<TouchOnFace> face_with(const ConvexShapes& shapes, ShapeIndex part, const Vec2& normal) {
-  const Corner* corner = shapes.corners_of(part);
-  for (int k = 0; k < shapes.corners[part]; ++k) {
-    if (corner[k].length > 0.0 && (corner[k].normal - normal).norm() <= kOnFace)
-      return TouchOnFace{
-          .part = part, .normal = corner[k].normal, .vertex = corner[k].vertex, .length = corner[k].length};
-  }
-  return std::nullopt;
+// m: of a place along the face, how far it is to the end that the touch comes to.
+double left_to(const TouchNearEnd& touch, double place) {
+  const double end = touch.towards_end != touch.comes_on ? touch.on.face.length : 0.0;
+  return touch.towards_end ? end - place : place - end;
 }
 
-double sizes(const World& world, BodyIndex a, BodyIndex b) {
-  return world.shapes().size[a] + world.shapes().size[b];
-}
-
-bool is_round(const ConvexShapes& shapes, ShapeIndex part) { return shapes.core[part] == Core::kPoint; }
-
-bool has_faces(const ConvexShapes& shapes, ShapeIndex part) {
-  return shapes.edges(part) > 0 && shapes.core[part] != Core::kHalfPlane;
-}
-
-// The corner of a part without rounding that is within `near` m of this point of its frame.
-const Corner* corner_at(const ConvexShapes& shapes, ShapeIndex part, const Vec2& point, double near) {
-  if (!has_faces(shapes, part) || shapes.rounding[part] > 0.0) return nullptr;
-  const Corner* corner = shapes.corners_of(part);
-  const Corner* end = corner + shapes.corners[part];
-  const Corner* found =
-      std::find_if(corner, end, [&](const Corner& c) { return (c.vertex - point).norm() <= near; });
-  return found == end ? nullptr : found;
-}
-
-// The two parts of a contact with their poses at the start, and the normals out of each.
-struct Sides {
-  struct Side {
-    BodyIndex body;
-    ShapeIndex part;
-    Pose pose;
-    Vec2 out;  // of the plane
-    [[nodiscard]] std::optional<TouchOnFace> face(const ConvexShapes& shapes) const {
-      return has_faces(shapes, part) ? face_with(shapes, part, pose.turned_back(out)) : std::nullopt;
-    }
-    [[nodiscard]] Vec2 of_part(const Vec2& point) const {
-      return pose.turned_back(Vec2(point - pose.position));
-    }
-  };
-  Side a, b;
+// A touch on its way to an end of a face.
+struct Coming {
+  TouchNearEnd touch;
+  double left = 0.0;   // m, to that end
+  double reach = 0.0;  // m, that it may go within the step
 };
+Coming coming_to_end(const World& world, const TouchOnFace& on, const FoundContacts& found, int i, double h,
+                     bool comes_on = false) {
+  const Motion toucher = world.trajectories.at_start(on.toucher);
+  const Motion body = world.trajectories.at_start(on.body);
+  const double speed = speed_along(world, on, toucher, body);
+  const TouchNearEnd touch{on, speed > 0.0, false, comes_on};
+  const double press = std::abs(found.press[static_cast<std::size_t>(i)]);
+  // Forces may double the speed.
+  return {touch, left_to(touch, place_along(world, on, toucher, body)),
+          (2.0 * std::abs(speed) + press * h) * h};
+}
 
-Sides sides_of(const World& world, const FoundContacts& found, int i) {
+// Where contact i is that of a disc with a corner: the faces that go on from this corner, its own and those of
+// other parts, to which it may come within h s.
+void add_faces_beside(const World& world, const FoundContacts& found, int i, const Neighbours& neighbours,
+                      double h, std::vector<TouchNearEnd>& touches) {
   const Geometry& g = world.shapes();
-  const BodyIndex a = found.contacts.a[i];
-  const BodyIndex b = found.contacts.b[i];
-  const auto parts = parts_at(g, a, b, found.id[static_cast<std::size_t>(i)]);
-  const auto pose = [&](BodyIndex body, ShapeIndex part) {
-    return g.part_pose(body, part, pose_at_start(world, body));
-  };
-  const Vec2 n = found.contacts.normal[i];
-  return {{a, parts.a, pose(a, parts.a), n}, {b, parts.b, pose(b, parts.b), -n}};
-}
-
-// Contact i as that of a disc or a corner of the other side on this face.
-std::optional<TouchOnFace> touch_by(const World& world, const FoundContacts& found, int i, TouchOnFace face,
-                                    const Sides::Side& own, const Sides::Side& other) {
-  const ConvexShapes& shapes = world.shapes().shapes;
-  if (!is_round(shapes, other.part)) {
-    const Corner* corner =
-        corner_at(shapes, other.part, other.of_part(found.point[static_cast<std::size_t>(i)]),
-                  kAtCorner * sizes(world, own.body, other.body));
-    if (corner == nullptr) return std::nullopt;
-    face.tip = corner->vertex;
-  }
-  face.toucher = other.body;
-  face.toucher_part = other.part;
-  face.body = own.body;
-  return face;
-}
-
-// Where corners of both are near, it is the nearer one that touches.
-std::optional<TouchOnFace> touch_on_face(const World& world, const FoundContacts& found, int i) {
-  const ConvexShapes& shapes = world.shapes().shapes;
-  const auto [a, b] = sides_of(world, found, i);
-  const std::optional<TouchOnFace> of_a = a.face(shapes);
-  const std::optional<TouchOnFace> of_b = b.face(shapes);
-  std::optional<TouchOnFace> on_a, on_b;
-  if (of_a) on_a = touch_by(world, found, i, *of_a, a, b);
-  if (of_b) on_b = touch_by(world, found, i, *of_b, b, a);
-  if (on_a && on_b) {
-    const Vec2 point = found.point[static_cast<std::size_t>(i)];
-    const double by_b = (on_a->tip - b.of_part(point)).norm();
-    const double by_a = (on_b->tip - a.of_part(point)).norm();
-    (by_b < by_a ? on_b : on_a).reset();
-  }
-  std::optional<TouchOnFace>& on = on_a ? on_a : on_b;
-  if (on) on->flat = of_a && of_b;
-  return on;
-}
-
-// m, in the plane.
-Vec2 place_of_tip(const World& world, const TouchOnFace& on, const Motion& toucher) {
-  const Geometry& g = world.shapes();
-  const Pose pose = g.part_pose(on.toucher, on.toucher_part, g.pose(on.toucher, toucher.head<3>()));
-  return pose.position + pose.turned(on.tip);
-}
-
-// m: where the disc or corner is along the face, from its start.
-double place_along(const World& world, const TouchOnFace& on, const Motion& toucher, const Motion& body) {
-  const Geometry& g = world.shapes();
-  const Pose of_face = g.part_pose(on.body, on.part, g.pose(on.body, body.head<3>()));
-  const Vec2 tip = place_of_tip(world, on, toucher);
-  return cross(on.normal, Vec2(of_face.turned_back(Vec2(tip - of_face.position)) - on.vertex));
-}
-
-// m/s: how fast, about.
-double speed_along(const World& world, const TouchOnFace& on, const Motion& toucher, const Motion& body) {
-  const Vec2 tip = place_of_tip(world, on, toucher);
-  const Vec2 u = toucher.segment<2>(3) + toucher[5] * crossed(Vec2(tip - toucher.head<2>())) -
-                 body.segment<2>(3) - body[5] * crossed(Vec2(tip - body.head<2>()));
-  return u.dot(crossed(turned_by(body[2], on.normal)));
-}
-
-// m: of a place along the face, how far beyond the end that it moves to.
-double beyond(const TouchOnFace& on, double place) { return on.towards_end ? place - on.length : -place; }
-
-bool is_corner(const World& world, const TouchOnFace& on) {
-  return !is_round(world.shapes().shapes, on.toucher_part);
-}
-
-const SurfaceLaw& law_on(const World& world, const TouchOnFace& on, BodyIndex body, ShapeIndex part) {
-  Contact contact;
-  if (on.toucher < body) {
-    contact.parts = {on.toucher_part, part};
-    return world.material(contact, on.toucher, body);
-  }
-  contact.parts = {part, on.toucher_part};
-  return world.material(contact, body, on.toucher);
-}
-
-// m: so far beyond the end of a face only the next one is touched.
-double past_seam(const World& world, const TouchOnFace& on) {
-  const double size = world.shapes().size[on.toucher];
-  return std::max(kPastSeam * size, 4.0 * kFlush * sizes(world, on.body, on.toucher));
-}
-
-// Whether another part, of the body or of another one, goes on with the face beyond the end to which the
-// contact moves, under another law.
-bool changes_there(const World& world, const TouchOnFace& on, const Neighbours& neighbours) {
-  const Geometry& g = world.shapes();
-  const auto pose = [&](BodyIndex body, ShapeIndex part) {
-    return g.part_pose(body, part, pose_at_start(world, body));
-  };
-  const Pose of_face = pose(on.body, on.part);
-  const double past = past_seam(world, on);
-  const Vec2 along = crossed(on.normal);
-  const Vec2 beyond =
-      on.towards_end ? Vec2(on.vertex + (on.length + past) * along) : Vec2(on.vertex - past * along);
-  const Vec2 point = of_face.position + of_face.turned(beyond);
-  const Vec2 normal = of_face.turned(on.normal);
-  const SurfaceLaw& law = law_on(world, on, on.body, on.part);
-  bool changes = false;
+  const ContactSides sides = sides_of(world, found, i);
+  const bool disc_is_b = is_round(g.shapes, sides.b.part);
+  const ContactSide& disc = disc_is_b ? sides.b : sides.a;
+  const ContactSide& side = disc_is_b ? sides.a : sides.b;
+  if (!is_round(g.shapes, disc.part)) return;
+  // A method of order 1 leaves the corner by as much as a shorter step would mend.
+  if (choice_of(kIntegrators, world.method.integrator).order == 1) return;
+  const double size = sizes(world, disc.body, side.body);
+  const Vec2 point = found.point[static_cast<std::size_t>(i)];
+  const Corner* corner = corner_at(g.shapes, side.part, side.of_part(point), kAtCorner * size);
+  if (corner == nullptr) return;
+  const Corner* first = g.shapes.corners_of(side.part);
+  const Corner* before = corner == first ? first + g.shapes.corners[side.part] - 1 : corner - 1;
+  const bool as_along_a_curve = corner->normal.dot(before->normal) > std::cos(kLeastCorner);
+  const Vec2 vertex = side.pose.position + side.pose.turned(corner->vertex);
   const auto look = [&](BodyIndex body) {
     g.each_part(body, [&](ShapeIndex part) {
-      if ((body == on.body && part == on.part) || !has_faces(g.shapes, part) || changes) return;
-      const Pose there = pose(body, part);
-      const std::optional<TouchOnFace> face = face_with(g.shapes, part, there.turned_back(normal));
-      if (!face) return;
-      const Vec2 d = there.turned_back(Vec2(point - there.position)) - face->vertex;
-      const double place = cross(face->normal, d);
-      const double tolerance = kFlush * sizes(world, on.body, on.toucher) + 1e-12 * point.lpNorm<1>();
-      changes = std::abs(face->normal.dot(d)) <= tolerance && place >= 0.0 && place <= face->length &&
-                law_on(world, on, body, part) != law;
+      if (!has_faces(g.shapes, part)) return;
+      if (body == side.body && part == side.part && as_along_a_curve) return;
+      const Pose pose = g.part_pose(body, part, pose_at_start(world, body));
+      const Vec2 at = pose.turned_back(Vec2(vertex - pose.position));
+      const double tolerance = kFlush * size + 1e-12 * vertex.lpNorm<1>();
+      const Corner* corners = g.shapes.corners_of(part);
+      for (int k = 0; k < g.shapes.corners[part]; ++k) {
+        const Face face{part, corners[k].normal, corners[k].vertex, corners[k].length};
+        const bool from_start = (face.at(0.0) - at).norm() <= tolerance;
+        const bool from_end = (face.at(face.length) - at).norm() <= tolerance;
+        if (!(face.length > 0.0) || from_start == from_end) continue;
+        if (!(pose.turned(face.normal).dot(side.out) > 0.0)) continue;
+        const Coming coming =
+            coming_to_end(world, {.toucher = disc.body, .toucher_part = disc.part, .body = body, .face = face},
+                          found, i, h, true);
+        if (coming.touch.towards_end == from_start && coming.left > kFlush * size &&
+            coming.left <= coming.reach)
+          touches.push_back(coming.touch);
+      }
     });
   };
-  if (g.has_parts(on.body)) look(on.body);
-  const auto [a, b] = std::minmax(on.toucher, on.body);
+  look(side.body);
+  const auto [a, b] = std::minmax(disc.body, side.body);
   for (const BodyIndex other : neighbours.of_pair(world, a, b)) {
-    if (other != a && other != b && world.can_collide(other, on.toucher)) look(other);
+    if (other != a && other != b && world.can_collide(other, disc.body)) look(other);
   }
-  return changes;
-}
-
-// Whether another part goes on with the surface of a side at this corner of it: the other side leaves no
-// contact with the side's normal, which is that of what lies beyond.
-template <class PoseOf>
-bool goes_on(const World& world, const Sides::Side& side, const Sides::Side& other, const Vec2& corner,
-             const Neighbours& neighbours, const PoseOf& pose) {
-  const Geometry& g = world.shapes();
-  const bool first = side.body < other.body;
-  const auto [a, b] = std::minmax(side.body, other.body);
-  Contact contact{0.0, first ? side.out : Vec2(-side.out), side.pose.position + side.pose.turned(corner)};
-  if (g.has_parts(a) || g.has_parts(b))
-    contact.parts = first ? ShapePair{side.part, other.part} : ShapePair{other.part, side.part};
-  return on_internal_edge(world, a, b, contact, neighbours.of_pair(world, a, b), pose);
 }
 
 // Whether the face ends at its start or end: no other face or body goes on from there.
-bool ends_there(World& world, const TouchOnFace& on, double time, const Neighbours& neighbours) {
+bool ends_there(World& world, const TouchNearEnd& touch, double time, const Neighbours& neighbours) {
   const Geometry& g = world.shapes();
-  const Vec2 turned = turned_by(on.towards_end ? kLeastCorner : -kLeastCorner, on.normal);
-  const Corner* corner = g.shapes.corners_of(on.part);
-  for (int k = 0; k < g.shapes.corners[on.part]; ++k) {
+  const TouchOnFace& on = touch.on;
+  const Face& face = on.face;
+  const double sign = touch.towards_end ? 1.0 : -1.0;
+  const Vec2 turned = turned_by(sign * kLeastCorner, face.normal);
+  const Corner* corner = g.shapes.corners_of(face.part);
+  for (int k = 0; k < g.shapes.corners[face.part]; ++k) {
     const Vec2& n = corner[k].normal;
-    if (corner[k].length > 0.0 && (n - on.normal).norm() > kOnFace &&
-        n.dot(on.normal) > turned.dot(on.normal) && cross(on.normal, n) * (on.towards_end ? 1.0 : -1.0) > 0.0)
+    if (corner[k].length > 0.0 && (n - face.normal).norm() > kOnFace &&
+        n.dot(face.normal) > turned.dot(face.normal) && sign * cross(face.normal, n) > 0.0)
       return false;
   }
   const auto pose = [&](BodyIndex i) { return g.pose(i, world.trajectories.at(i, time).head<3>()); };
-  const Pose of_face = g.part_pose(on.body, on.part, pose(on.body));
-  const Vec2 end = on.towards_end ? Vec2(on.vertex + on.length * crossed(on.normal)) : on.vertex;
-  const Vec2 past = turned_by(on.towards_end ? kBeyond : -kBeyond, on.normal);
-  return !goes_on(world, {on.body, on.part, of_face, of_face.turned(past)},
-                  {on.toucher, on.toucher_part, {}, {}}, end, neighbours, pose);
+  const Pose of_face = g.part_pose(on.body, face.part, pose(on.body));
+  const Vec2 past = turned_by(sign * kBeyond, face.normal);
+  const auto [a, b] = std::minmax(on.body, on.toucher);
+  return !goes_on(world, {on.body, face.part, of_face, of_face.turned(past)},
+                  {on.toucher, on.toucher_part, {}, {}}, face.at(touch.towards_end ? face.length : 0.0),
+                  neighbours.of_pair(world, a, b), pose);
 }
 
 }  // namespace
 
 void find_touches_near_ends(const World& world, const FoundContacts& found, const Neighbours& neighbours,
-                            double h, std::vector<TouchOnFace>& touches) {
+                            double h, std::vector<TouchNearEnd>& touches) {
   touches.clear();
   for (int i = 0; i < found.contacts.size(); ++i) {
-    std::optional<TouchOnFace> on = touch_on_face(world, found, i);
-    if (!on) continue;
-    const Motion toucher = world.trajectories.at_start(on->toucher);
-    const Motion body = world.trajectories.at_start(on->body);
-    const double speed = speed_along(world, *on, toucher, body);
-    on->towards_end = speed > 0.0;
-    on->left = -beyond(*on, place_along(world, *on, toucher, body));
-    const double at_end = (is_corner(world, *on) ? kCornerAtEnd : kAtEnd) * sizes(world, on->body, on->toucher);
-    const double press = std::abs(found.press[static_cast<std::size_t>(i)]);
-    // Forces may double the speed.
-    const double reach = (2.0 * std::abs(speed) + press * h) * h;
-    if (!(on->left <= reach && on->left > -past_seam(world, *on))) continue;
-    on->changes = world.model->surfaces.materials > 1 && changes_there(world, *on, neighbours);
-    if (on->changes || (!on->flat && on->left > at_end)) touches.push_back(*on);
+    const std::optional<TouchOnFace> on = touch_on_face(world, found, i);
+    if (!on) {
+      add_faces_beside(world, found, i, neighbours, h, touches);
+      continue;
+    }
+    Coming coming = coming_to_end(world, *on, found, i, h);
+    if (!(coming.left <= coming.reach && coming.left > -past_seam(world, *on))) continue;
+    const double at_end = (on->is_corner(world) ? kCornerAtEnd : kAtEnd) * sizes(world, on->body, on->toucher);
+    if (coming.left <= at_end) add_faces_beside(world, found, i, neighbours, h, touches);
+    TouchNearEnd& touch = coming.touch;
+    touch.law_changes =
+        world.model->surfaces.materials > 1 && law_changes(world, *on, touch.towards_end, neighbours);
+    if (touch.law_changes || (!on->flat && coming.left > at_end)) touches.push_back(touch);
   }
 }
 
-double first_face_end(World& world, const std::vector<TouchOnFace>& touches, const Neighbours& neighbours,
+double first_face_end(World& world, const std::vector<TouchNearEnd>& touches, const Neighbours& neighbours,
                       double h) {
   double first = h;
-  for (const TouchOnFace& on : touches) {
-    const double before = is_corner(world, on) ? kBeforeEnd * sizes(world, on.body, on.toucher) : 0.0;
-    const double place = on.changes ? past_seam(world, on) : -before;
+  for (const TouchNearEnd& touch : touches) {
+    const TouchOnFace& on = touch.on;
+    const double before = on.is_corner(world) ? kBeforeEnd * sizes(world, on.body, on.toucher) : 0.0;
+    const double place = touch.law_changes ? past_seam(world, on) : -before;
     const auto left = [&](double t) {
-      return place - beyond(on, place_along(world, on, world.trajectories.at(on.toucher, t),
-                                            world.trajectories.at(on.body, t)));
+      return place + left_to(touch, place_along(world, on, world.trajectories.at(on.toucher, t),
+                                                world.trajectories.at(on.body, t)));
     };
     const double now = left(0.0);
     const double then = left(first);
     if (!(now > 0.0 && then < 0.0)) continue;
     const double time = bracketed_root(left, 0.0, now, first, then);
-    if (on.changes || ends_there(world, on, time, neighbours)) first = time;
+    if (touch.law_changes || touch.comes_on || ends_there(world, touch, time, neighbours)) first = time;
   }
   return first;
+}
+
+bool has_passed_on(const World& world, const FoundContacts& found, int i) {
+  const Contacts& c = found.contacts;
+  if (c.size() > kFewContactsOfScene) return false;
+  if (world.shapes().is_disc(c.a[i]) == world.shapes().is_disc(c.b[i])) return false;
+  const BodyIndex disc = world.shapes().is_disc(c.a[i]) ? c.a[i] : c.b[i];
+  const Vec2 point = found.point[static_cast<std::size_t>(i)];
+  const double near = kFlush * sizes(world, c.a[i], c.b[i]) + 1e-12 * point.lpNorm<1>();
+  const auto is_at_it = [&](int k) {
+    if (k == i || (c.a[k] != disc && c.b[k] != disc)) return false;
+    const Vec2 normal = c.a[k] == disc ? c.normal[k] : Vec2(-c.normal[k]);
+    return (normal - (c.a[i] == disc ? c.normal[i] : Vec2(-c.normal[i]))).norm() <= kOnFace &&
+           (found.point[static_cast<std::size_t>(k)] - point).norm() <= near;
+  };
+  for (int k = 0; k < c.size(); ++k) {
+    if (is_at_it(k) && !touch_on_face(world, found, i) && touch_on_face(world, found, k)) return true;
+  }
+  return false;
 }
 
 bool leaves_corner(const World& world, const FoundContacts& found, int i, const Neighbours& neighbours,
@@ -304,8 +200,9 @@ bool leaves_corner(const World& world, const FoundContacts& found, int i, const 
     return Vec2(y.segment<2>(3) + y[5] * crossed(Vec2(point - y.head<2>())));
   };
   const Vec2 u = velocity(b.body) - velocity(a.body);
+  const auto others = neighbours.of_pair(world, a.body, b.body);
   // A point of no size is its own corner, without a face.
-  const auto moves_out = [&](const Sides::Side& side, const Sides::Side& other, const Vec2& away) {
+  const auto moves_out = [&](const ContactSide& side, const ContactSide& other, const Vec2& away) {
     if (is_round(shapes, side.part)) return true;
     const Corner* corner = corner_at(shapes, side.part, side.of_part(point), near);
     if (corner == nullptr) return false;
@@ -314,9 +211,9 @@ bool leaves_corner(const World& world, const FoundContacts& found, int i, const 
     if (h * std::max(side.pose.turned(corner->normal).dot(away), side.pose.turned(before->normal).dot(away)) <=
         near)
       return false;
-    Sides::Side past = side;
+    ContactSide past = side;
     past.out = turned_by(cross(side.out, away) > 0.0 ? kBeyond : -kBeyond, side.out);
-    return !goes_on(world, past, other, corner->vertex, neighbours,
+    return !goes_on(world, past, other, corner->vertex, others,
                     [&](BodyIndex body) { return pose_at_start(world, body); });
   };
   return moves_out(a, b, u) && moves_out(b, a, -u);

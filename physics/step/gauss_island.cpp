@@ -138,6 +138,7 @@ bool GaussIsland::list(const GaussStep& step) {
   held_.clear();
   for (const int i : contacts_) {
     for (const BodyIndex body : {found.a[i], found.b[i]}) bodies_.push_back(body);
+    if (!std::isfinite(found.target[i])) continue;
     const bool presses = found.normal_impulse[i] > 0.0;
     const double answer =
         step.world.mass().inverse_mass[found.a[i]] + step.world.mass().inverse_mass[found.b[i]];
@@ -151,11 +152,12 @@ bool GaussIsland::list(const GaussStep& step) {
     c.contact = i;
     c.a = found.a[i];
     c.b = found.b[i];
-    c.presses = presses;
+    GaussContact* same = presses ? same_contact(step, i) : nullptr;
+    c.presses = presses && same == nullptr;
     c.stays_open = found.gap[i] - std::clamp(found.gap[i], -kReturns * shut, kReturns * shut);
-    for (GaussContact::AtPoint& at : c.at) {
-      at.normal_force = found.normal_impulse[i] / step.h;
-      at.tangential_force = found.tangential_impulse[i] / step.h;
+    for (GaussContact::AtPoint& at : (same != nullptr ? *same : c).at) {
+      at.normal_force += found.normal_impulse[i] / step.h;
+      at.tangential_force += found.tangential_impulse[i] / step.h;
     }
     c.face = face_of(step, c);
     if (c.face == static_cast<int>(held_.size())) held_.push_back(false);
@@ -163,6 +165,31 @@ bool GaussIsland::list(const GaussStep& step) {
   }
   sort_unique(bodies_);
   return !closed_.empty();
+}
+
+// An earlier contact that presses the same body at the same point along the same normal, as where two fixed
+// bodies with one law have a corner in common: only their sum is determined. Null if there is none.
+GaussContact* GaussIsland::same_contact(const GaussStep& step, int i) {
+  const World& world = step.world;
+  const Contacts& found = step.found.contacts;
+  if (world.infinite_mass(found.a[i]) == world.infinite_mass(found.b[i])) return nullptr;
+  const auto mover = [&](int k) { return world.infinite_mass(found.a[k]) ? found.b[k] : found.a[k]; };
+  const auto towards = [&](int k) {
+    return Vec2(world.infinite_mass(found.a[k]) ? found.normal[k] : -found.normal[k]);
+  };
+  const double near = kSameLine * smaller_size(world, found.a[i], found.b[i]);
+  for (GaussContact& other : closed_) {
+    const int k = other.contact;
+    if (found.kinetic_friction[k] != found.kinetic_friction[i] ||
+        found.static_friction[k] != found.static_friction[i])
+      continue;
+    if (!other.presses || world.infinite_mass(found.a[k]) == world.infinite_mass(found.b[k])) continue;
+    if (mover(k) == mover(i) && (towards(k) - towards(i)).norm() <= kSameLine &&
+        (step.found.point[static_cast<std::size_t>(k)] - step.found.point[static_cast<std::size_t>(i)])
+                .norm() <= near)
+      return &other;
+  }
+  return nullptr;
 }
 
 // That of an earlier contact of the same bodies with the same line of tangential force, or a new one: between
@@ -222,9 +249,19 @@ bool GaussIsland::is_needed(const GaussStep& step) const {
     return !step.world.shapes().is_disc(body) &&
            std::abs(sampled(body).end[2] - sampled(body).start[2]) > kStill;
   };
+  // A place on a body that moves along it shifts the load between its contacts.
+  const auto shifts = [&](const GaussContact& c, BodyIndex body) {
+    const World& world = step.world;
+    if (world.infinite_mass(body) || world.shapes().is_disc(body)) return false;
+    const auto place = [&](std::size_t k) {
+      const Motion& at = sampled(body).at[k];
+      return turned_by(-at[2], Vec2(c.at[k].point - at.head<2>()));
+    };
+    return (place(1) - place(0)).norm() > kStill * world.shapes().size[body];
+  };
   return std::any_of(closed_.begin(), closed_.end(), [&](const GaussContact& c) {
     return (c.start.normal - c.end.normal).norm() > kStill || turns(c.a) || turns(c.b) || changes(c) ||
-           (!c.presses && closes(step, c));
+           (!c.presses && closes(step, c)) || (may_rub(c) && (shifts(c, c.a) || shifts(c, c.b)));
   });
 }
 
@@ -277,8 +314,9 @@ bool GaussIsland::look(const GaussStep& step) {
     const auto pose = [&](BodyIndex body) {
       return world.shapes().pose(body, step.world.trajectories.at(body, step.h).head<3>());
     };
-    if (may_be_continued(world, c.a, c.b) &&
-        on_internal_edge(world, c.a, c.b, contact, step.neighbours.of_pair(world, c.a, c.b), pose))
+    const auto others = step.neighbours.of_pair(world, c.a, c.b);
+    if (may_be_continued(world, c.a, c.b) && on_internal_edge(world, c.a, c.b, contact, others, pose) &&
+        !turns_about_corner(world, c.a, c.b, c.at[0].normal, contact, others, pose))
       return false;
   }
   return true;

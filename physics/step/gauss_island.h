@@ -99,6 +99,7 @@ class GaussIsland {
   };
 
   bool list(const GaussStep& step);
+  [[nodiscard]] GaussContact* same_contact(const GaussStep& step, int i);
   [[nodiscard]] int face_of(const GaussStep& step, const GaussContact& c) const;
   bool start(const GaussStep& step, GaussContact& c) const;
   [[nodiscard]] bool is_needed(const GaussStep& step) const;

@@ -6,11 +6,6 @@
 
 namespace carom {
 
-// Whether what touches takes part in an impact, even if it does not close.
-[[nodiscard]] inline bool takes_touches(const World& world) {
-  return world.model->several_impacts == SeveralImpactsId::kSimultaneous;
-}
-
 // Where impacts are not located in time: resolves those of buffers.hits in the order in which they touch. Those
 // that share bodies and touch at one moment, or within one step if the scene says so, are resolved at once, as
 // resolve_at_once() does; each that is left alone, or has no solution with the others, by `resolve_alone`. A

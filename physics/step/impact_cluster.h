@@ -17,6 +17,11 @@ namespace carom {
 // Contacts that are resolved at once, at most: the law's work grows with the cube of their number.
 inline constexpr std::size_t kMostTogether = 32;
 
+// Whether what touches takes part in an impact, even if it does not close.
+[[nodiscard]] inline bool takes_touches(const World& world) {
+  return world.model->several_impacts == SeveralImpactsId::kSimultaneous;
+}
+
 // Keeps, of items with ends a and b, those that bodies which move connect with the pair of a and b; if there
 // are more than kMostTogether, one more of them.
 template <class Item>

@@ -171,7 +171,7 @@ std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, BodyIn
                                                         double time) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
-  const bool all = world.model->several_impacts == SeveralImpactsId::kSimultaneous;
+  const bool all = takes_touches(world);
   if (all) {
     find_touching(world, a, b, time, 1.0);
   } else {

@@ -99,6 +99,21 @@ template <class PoseOf>
   });
 }
 
+// Whether a disc that is at a corner turns about it to this contact, though another part goes on from there:
+// halfway from its normal before, the corner is bare. Over a seam it is not.
+template <class PoseOf>
+[[nodiscard]] bool turns_about_corner(const World& world, BodyIndex a, BodyIndex b, const Vec2& normal_before,
+                                      const Contact& contact, std::span<const BodyIndex> others,
+                                      const PoseOf& pose) {
+  if (world.shapes().is_disc(a) == world.shapes().is_disc(b)) return false;
+  const double side = world.shapes().is_disc(a) ? 0.5 : -0.5;
+  Contact halfway = contact;
+  halfway.point += side * contact.gap * contact.normal;
+  halfway.normal = (normal_before + contact.normal).normalized();
+  halfway.gap = 0.0;
+  return !on_internal_edge(world, a, b, halfway, others, pose);
+}
+
 // The points of a manifold that no other part continues; calls continued(point) for each that one does. Where
 // one of two goes so, the nearest features are a seam and the face over it, while what may land there is a
 // corner of the one on the face of the other: its normal is that of this face.

@@ -118,7 +118,7 @@ void RestingContacts::find_contacts(World& world, double h) {
   pressing_.find(world, step_length_, memory_);
   finder_.find(world, step_length_, h, pressing_, memory_, found_);
   for (int i = 0; i < found_.contacts.size(); ++i) {
-    if (leaves_corner(world, found_, i, finder_.neighbours(), h))
+    if (leaves_corner(world, found_, i, finder_.neighbours(), h) || has_passed_on(world, found_, i))
       found_.contacts.target[i] = -std::numeric_limits<double>::infinity();
   }
 }

@@ -118,7 +118,7 @@ class RestingContacts {
   std::vector<std::uint8_t> sticks_;
   HitsAtOnce at_once_;
   GaussContacts linear_;
-  std::vector<TouchOnFace> near_ends_;
+  std::vector<TouchNearEnd> near_ends_;
   std::vector<std::uint8_t> struck_;  // by body, in this step
   std::vector<BodyIndex> bodies_;     // of an island
   std::vector<int> partners_;         // by body: how many others it may touch

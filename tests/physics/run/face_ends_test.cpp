@@ -8,6 +8,7 @@
 
 #include "physics/math/vectors.h"
 #include "physics/run/run_setup.h"
+#include "physics/scene/polygon.h"
 #include "tests/support/scenes.h"
 
 // A ball that runs off the end of a face, with contacts that last: the contact ends at its moment, within the
@@ -190,6 +191,127 @@ TEST(FaceEnds, ASlowBallPassesANarrowGap) {
           EXPECT_NEAR(run.state().velocity(2).x() / kSpeed, std::cos(2.0 * std::asin(0.5 * gap / radius)),
                       limit)
               << radius << " " << gap << " " << step << " " << start;
+        }
+      }
+    }
+  }
+}
+
+enum class Ridge { kPolygon, kTwoBoxes, kTwoShapes };
+
+// From a level floor onto a slope, slow enough to stay in touch: it goes round the edge between them.
+struct OverARidge {
+  Ridge ridge = Ridge::kPolygon;
+  double slope = 0.3;  // rad
+  double friction = 0.0;
+  double step = 0.005;  // s
+  double angle = 0.0;   // rad: of all
+  bool mirrored = false;
+  IntegratorId integrator = IntegratorId::kRk4;
+
+  static constexpr double kSpeed = 0.4;   // m/s
+  static constexpr double kRadius = 0.1;  // m
+  static constexpr double kStart = 0.21;  // m, before the edge
+  static constexpr double kEnd = 1.2;     // s
+
+  [[nodiscard]] Vec2 placed(const Vec2& at) const {
+    return turned_by(angle, Vec2(mirrored ? -at.x() : at.x(), at.y()));
+  }
+  [[nodiscard]] RunSetup setup() const {
+    RunSetup s = test::setup_with({}, 0.5, friction);
+    const double side = mirrored ? -1.0 : 1.0;
+    const Box slab{2.0, 1.0};
+    const Vec2 over(1.0, -0.5);  // m: from its upper left corner to its centre
+    const Body level = test::fixed("level", slab, placed({-1.0, -0.5}));
+    const Body down = test::fixed("slope", slab, placed(turned_by(-slope, over)));
+    const auto put = [&](Body body, double turn) {
+      body.angle = angle + side * turn;
+      s.scene.bodies.push_back(std::move(body));
+    };
+    if (ridge == Ridge::kTwoBoxes) {
+      put(level, 0.0);
+      put(down, -slope);
+    } else if (ridge == Ridge::kTwoShapes) {
+      // About their common centre of mass, which is in the middle of both.
+      const Vec2 middle = 0.5 * (level.position + down.position);
+      const Compound both{{{slab, level.position - middle, angle, ""},
+                           {slab, down.position - middle, angle - side * slope, ""}}};
+      s.scene.bodies.push_back(test::fixed("both", both, middle));
+    } else {
+      const Vec2 end = 2.0 * Vec2(std::cos(slope), -std::sin(slope));
+      std::vector<Vec2> corners = {{-2.0, 0.0}, {-2.0, -3.0}, {end.x(), -3.0}, end, {0.0, 0.0}};
+      for (Vec2& corner : corners) corner = placed(corner);
+      if (mirrored) std::reverse(corners.begin(), corners.end());
+      const Vec2 centre = moments_of(corners, 0.0).centroid;
+      for (Vec2& corner : corners) corner -= centre;
+      s.scene.bodies.push_back(test::fixed("hill", Polygon{corners}, centre));
+    }
+    Body ball = test::disc("ball", placed({-kStart, kRadius}), placed({kSpeed, 0.0}), kRadius);
+    if (friction > 0.0) ball.spin = -side * kSpeed / kRadius;
+    s.scene.bodies.push_back(ball);
+    s.scene.forces.gravity = turned_by(angle, Vec2(0.0, -9.81));
+    s.method = {integrator, ImpactsId::kLocated, ContactsId::kLasting};
+    s.method.step = step;
+    return s;
+  }
+  // m: how far down the slope it is at the end. It rolls, or slides without turning: with the same share of its
+  // energy in its path.
+  [[nodiscard]] double expected() const {
+    const double g = 9.81 / (friction > 0.0 ? 1.5 : 1.0);
+    const auto speed = [&](double theta) {
+      return std::sqrt(kSpeed * kSpeed + 2.0 * g * kRadius * (1.0 - std::cos(theta)));
+    };
+    constexpr int kParts = 2000;  // Simpson's rule for the time round the edge
+    double time = 0.0;
+    for (int k = 0; k <= kParts; ++k) {
+      const double weight = k == 0 || k == kParts ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
+      time += weight * slope / (3.0 * kParts) * kRadius / speed(slope * k / kParts);
+    }
+    const double left = kEnd - kStart / kSpeed - time;
+    return speed(slope) * left + 0.5 * g * std::sin(slope) * left * left;
+  }
+  // m: how far from there it is, and from the surface.
+  [[nodiscard]] double error() const {
+    Simulation run(setup());
+    run.advance_to(kEnd, [&] { EXPECT_TRUE(run.last_impacts().empty()) << run.time(); });
+    const Vec2 wanted = turned_by(-slope, Vec2(expected(), kRadius));
+    return (Vec2(run.state().position(run.state().size() - 1)) - placed(wanted)).norm();
+  }
+};
+
+TEST(FaceEnds, ABallRollsRoundTheEdgeToAnotherFace) {
+  OverARidge scene;
+  for (const Ridge ridge : {Ridge::kPolygon, Ridge::kTwoBoxes, Ridge::kTwoShapes}) {
+    for (const double slope : {0.06, 0.15, 0.3, 0.45}) {
+      for (const double friction : {0.0, 1.0}) {
+        for (const double step : {1.0 / 60.0, 0.01, 0.005, 0.002}) {
+          scene.ridge = ridge;
+          scene.slope = slope;
+          scene.friction = friction;
+          scene.step = step;
+          EXPECT_LT(scene.error(), std::max(1e-9, 0.5 * std::pow(step, 4)))
+              << static_cast<int>(ridge) << " " << slope << " " << friction << " " << step;
+        }
+      }
+    }
+  }
+}
+
+TEST(FaceEnds, TheEdgeBetweenTwoFacesTurnedAndMirroredUnderEachMethod) {
+  for (const IntegratorId integrator :
+       {IntegratorId::kVelocityVerlet, IntegratorId::kRk4, IntegratorId::kDormandPrince,
+        IntegratorId::kAdaptiveDormandPrince, IntegratorId::kExactFlight}) {
+    for (const Ridge ridge : {Ridge::kPolygon, Ridge::kTwoBoxes, Ridge::kTwoShapes}) {
+      OverARidge scene;
+      scene.ridge = ridge;
+      scene.friction = 1.0;
+      scene.integrator = integrator;
+      for (const double angle : {0.0, 0.7, 2.5}) {
+        for (const bool mirrored : {false, true}) {
+          scene.angle = angle;
+          scene.mirrored = mirrored;
+          EXPECT_LT(scene.error(), 1e-9)
+              << static_cast<int>(integrator) << " " << static_cast<int>(ridge) << " " << angle << mirrored;
         }
       }
     }

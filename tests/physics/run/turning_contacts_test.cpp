@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -212,6 +213,47 @@ TEST(TurningContacts, SlipAndStickHaveTheIntegratorsOrder) {
   reverses.scene.bodies[1].spin = 30.0;
   reverses.scene.bodies[1].velocity = {0.0, -1.5};
   expect_order(reverses, 2.0, Modes::kRub);
+}
+
+// A plank on two rollers, ±d from the middle, that turn inwards slips on both; friction acts h below its
+// centre, so that the load shifts by x/(d - μ h) and x'' = -μ g x/(d - μ h).
+TEST(TurningContacts, APlankSwingsOnTwoRollers) {
+  constexpr double kFriction = 0.3;
+  constexpr double kHalf = 0.5;    // m, d
+  constexpr double kBelow = 0.05;  // m, h
+  constexpr double kEnd = 2.0;     // s
+  const double wanted = 0.1 * std::cos(kEnd * std::sqrt(kFriction * kG / (kHalf - kFriction * kBelow)));
+  const auto error = [&](IntegratorId integrator, double step, double angle) {
+    RunSetup s = test::setup_with({}, 0.0, kFriction);
+    for (const double side : {-1.0, 1.0}) {
+      Body roller =
+          test::disc(side < 0.0 ? "left" : "right", turned_by(angle, Vec2(side * kHalf, 0.0)), Vec2::Zero());
+      roller.inertia = 1e12;
+      roller.spin = side * 20.0;
+      Joint axle;
+      axle.kind = JointKind::kPin;
+      axle.body = roller.name;
+      axle.anchor = roller.position;
+      s.scene.bodies.push_back(roller);
+      s.scene.joints.push_back(axle);
+    }
+    Body plank =
+        test::box("plank", turned_by(angle, Vec2(0.1, 0.1 + kBelow)), Vec2::Zero(), 3.0, 2.0 * kBelow, 2.0);
+    plank.angle = angle;
+    s.scene.bodies.push_back(plank);
+    s.scene.forces.gravity = turned_by(angle, Vec2(0.0, -kG));
+    s.method = method(integrator, ImpactsId::kLocated, step);
+    Simulation run(s);
+    run.advance_to(kEnd);
+    return std::abs(turned_by(-angle, run.state().position(2)).x() - wanted);
+  };
+  for (const double angle : {0.0, 0.7}) {
+    for (const double step : {0.02, 0.01, 0.005}) {
+      EXPECT_LT(error(IntegratorId::kRk4, step, angle), std::max(0.02 * std::pow(step, 4), 1e-10));
+      EXPECT_LT(error(IntegratorId::kDormandPrince, step, angle), std::max(0.02 * std::pow(step, 4), 1e-10));
+      EXPECT_LT(error(IntegratorId::kVelocityVerlet, step, angle), 0.3 * step * step);
+    }
+  }
 }
 
 // A push that rises by 10 N/s moves a box at μ_s m g; from then on μ_k holds it back. Its start is at all parts
