@@ -12,6 +12,8 @@ namespace {
 
 constexpr int kTries = 64;        // places on the way back
 constexpr double kShare = 1e-16;  // of the way: a shorter step is rounding
+// Of a place: bodies that move by the same way to this rounding move as one.
+constexpr double kRounding = 1e-14;
 
 bool resizes(const DragStart& start) {
   return start.kind != HandleKind::kBody && start.kind != HandleKind::kTurn &&
@@ -146,10 +148,41 @@ void hold_motion(const DragStart& start, std::span<const Hold> holds, Dragged& d
   }
 }
 
+bool move_as_one(const DragStart& start, std::span<const Body> before, std::span<const Body> after) {
+  if (start.kind != HandleKind::kBody) return false;
+  const Vec2 moved = after[0].position - before[0].position;
+  for (std::size_t k = 1; k < before.size(); ++k) {
+    const double rounding = kRounding * (before[k].position.norm() + after[k].position.norm());
+    if ((after[k].position - before[k].position - moved).norm() > rounding) return false;
+  }
+  return true;
+}
+
+// Of the bodies with each other, as joints lead them different ways, or as each turns or grows by itself; not
+// those that were there before.
+std::vector<Overlap> own_overlaps(const DragStart& start, std::span<const Body> bodies) {
+  const std::vector<Body> before = all_bodies(start);
+  if (bodies.size() < 2 || move_as_one(start, before, bodies)) return {};
+  const Surroundings alone{{}, start.joints};
+  std::vector<Overlap> overlaps = overlaps_of(bodies, alone, true);
+  if (overlaps.empty()) return overlaps;
+  const std::vector<Overlap> old = overlaps_of(before, alone, true);
+  std::erase_if(overlaps, [&old](const Overlap& each) {
+    return std::any_of(old.begin(), old.end(), [&each](const Overlap& was) {
+      return was.body.name == each.body.name && was.other.name == each.other.name;
+    });
+  });
+  return overlaps;
+}
+
 void say_overlap(const DragStart& start, const DragPoint& point, Dragged& dragged) {
   if (dragged.fault) return;
   dragged.overlaps = overlaps_of(dragged.bodies, surroundings_of(start));
+  const std::vector<Overlap> own = own_overlaps(start, dragged.bodies);
+  dragged.overlaps.insert(dragged.overlaps.end(), own.begin(), own.end());
   if (dragged.overlaps.empty()) return;
+  std::stable_sort(dragged.overlaps.begin(), dragged.overlaps.end(),
+                   [](const Overlap& a, const Overlap& b) { return a.depth > b.depth; });
   const QString who = QString::fromStdString(start.bodies[0].name);
   dragged.value = overlap_text(dragged.overlaps[0], point);
   dragged.detail = is_free(point)   ? QStringLiteral("They stay so; play parts them.")
@@ -170,7 +203,7 @@ std::optional<std::vector<Body>> backed_off(const DragStart& start, std::span<co
       if (start.kind == HandleKind::kTurn) wanted[k].angle += share * (bodies[k].angle - from[k].angle);
     }
     std::optional<std::vector<Body>> kept = held(from, wanted, holds, from[0].position);
-    if (!kept || !overlaps_of(*kept, surroundings).empty()) return false;
+    if (!kept || !overlaps_of(*kept, surroundings).empty() || !own_overlaps(start, *kept).empty()) return false;
     last = std::move(kept);
     return true;
   };
@@ -183,11 +216,14 @@ std::optional<std::vector<Body>> backed_off(const DragStart& start, std::span<co
   return last;
 }
 
-// The bodies moved out as one or, where joints do not let them, back along their way.
+// The bodies moved out as one or, where joints do not let them or they are in each other's way, back along
+// their own.
 std::optional<std::vector<Body>> parted(const DragStart& start, std::span<const Body> bodies,
                                         const Surroundings& surroundings, std::span<const Hold> holds) {
-  std::optional<std::vector<Body>> out = moved_out(bodies, surroundings);
-  if (holds.empty()) return out;
+  const bool clear_of_each_other = own_overlaps(start, bodies).empty();
+  std::optional<std::vector<Body>> out;
+  if (clear_of_each_other) out = moved_out(bodies, surroundings);
+  if (clear_of_each_other && holds.empty()) return out;
   const bool kept =
       out && std::all_of(holds.begin(), holds.end(), [&](const Hold& h) { return keeps(h, *out); });
   if (!kept) out = backed_off(start, bodies, surroundings, holds);

@@ -239,9 +239,10 @@ std::vector<Overlap> overlaps_among(std::span<const Body> bodies, const std::vec
   return overlapping(crowd, near_pairs(crowd), kWritten);
 }
 
-std::vector<Overlap> overlaps_of(std::span<const Body> bodies, const Surroundings& neighbours) {
+std::vector<Overlap> overlaps_of(std::span<const Body> bodies, const Surroundings& neighbours,
+                                 bool with_each_other) {
   const Crowd crowd = crowd_of(bodies, neighbours);
-  std::vector<Overlap> overlaps = overlapping(crowd, pairs_of(crowd, 0.0, false), kTouching);
+  std::vector<Overlap> overlaps = overlapping(crowd, pairs_of(crowd, 0.0, with_each_other), kTouching);
   std::stable_sort(overlaps.begin(), overlaps.end(),
                    [](const Overlap& a, const Overlap& b) { return a.depth > b.depth; });
   return overlaps;

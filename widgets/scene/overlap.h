@@ -22,8 +22,10 @@ struct Overlap {
   Vec2 at = Vec2::Zero();  // m, in the middle of it
 };
 
-// Of the bodies with their neighbours, the deepest first. Bodies that touch to rounding do not overlap.
-[[nodiscard]] std::vector<Overlap> overlaps_of(std::span<const Body> bodies, const Surroundings& neighbours);
+// Of the bodies with their neighbours, and with each other if that is asked, the deepest first. Bodies that
+// touch to rounding do not overlap.
+[[nodiscard]] std::vector<Overlap> overlaps_of(std::span<const Body> bodies, const Surroundings& neighbours,
+                                               bool with_each_other = false);
 
 // Of the bodies with each other, deeper than written numbers are rounded.
 [[nodiscard]] std::vector<Overlap> overlaps_among(std::span<const Body> bodies,

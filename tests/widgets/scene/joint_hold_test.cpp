@@ -210,5 +210,29 @@ TEST(JointHold, OnItsCircleABodyGoesBackToTouching) {
   EXPECT_LT(left->bodies[0].position.x(), 0.0);
 }
 
+// The rod keeps A where it is, and B comes down on it.
+TEST(JointHold, SelectedBodiesStayClearOfEachOther) {
+  Joint rod = joint_of(JointKind::kRod, "A", "", {0.0, 1.0});
+  rod.length = 1.0;
+  DragStart start = start_of(disc_at("A", 0.0, 0.0), rod);
+  start.bodies.push_back(disc_at("B", 0.02, 0.25));
+  const DragPoint point{Vec2(0.0, -0.15), 100.0, {}};
+  const Dragged down = within_joints(start, drag_to(start, point), point);
+  ASSERT_EQ(down.overlaps.size(), 1U);
+  EXPECT_TRUE(down.fault);
+  const std::optional<Dragged> left = without_overlaps(start, down, point);
+  ASSERT_TRUE(left);
+  EXPECT_FALSE(left->fault);
+  EXPECT_NEAR((left->bodies[1].position - left->bodies[0].position).norm(), 0.2, 1e-9);
+  EXPECT_NEAR((left->bodies[0].position - Vec2(0.0, 1.0)).norm(), 1.0, 1e-12);
+}
+
+TEST(JointHold, BodiesThatOverlappedBeforeMayStaySo) {
+  DragStart start = start_of(disc_at("A", 0.0, 0.0), joint_of(JointKind::kRod, "A", "", {0.0, 1.0}));
+  start.bodies.push_back(disc_at("B", 0.1, 0.1));
+  const DragPoint point{Vec2(0.3, 0.0), 100.0, {}};
+  EXPECT_TRUE(within_joints(start, drag_to(start, point), point).overlaps.empty());
+}
+
 }  // namespace
 }  // namespace carom
