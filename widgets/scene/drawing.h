@@ -4,7 +4,6 @@
 #include <QPointF>
 #include <QString>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -82,7 +81,7 @@ struct Drawing {
   };
   // The picked impact, painted over all else.
   struct Jump {
-    std::optional<std::pair<Vec2, Vec2>> axis;  // through the contact
+    std::vector<std::pair<Vec2, Vec2>> axes;  // one for impacts that share bodies
     std::vector<JumpArrow> arrows;
     std::vector<JumpText> texts;
   };

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <optional>
 
 #include "physics/math/vectors.h"
 #include "widgets/base/number_text.h"
@@ -21,12 +23,81 @@ constexpr double kAxisEnd = 14.0;        // px, beyond the last arrow
 constexpr double kLeastLength = 3.0;     // px, of an arrow
 constexpr double kJumpWidth = 2.4;       // px, of the shafts
 constexpr double kImpulseWidth = 3.0;    // px
+constexpr double kAcross = 0.1;          // sine of the angle of an arrow with the line
 constexpr double kNoLoss = 1e-12;        // of normal impulse times closing speed: rounding
+
+// Impacts of the moment that share bodies.
+struct Group {
+  std::vector<BodyIndex> bodies;     // that move freely, of many the first few
+  std::vector<std::size_t> impacts;  // of the moment's records
+};
+
+// Those that bodies which move freely connect, by an impact or by a joint, in the order of their impacts; as
+// many as the drawing has room for.
+std::vector<Group> groups_of(const DrawingInput& in) {
+  if (in.jump == nullptr || !in.options.jumps || !in.frame.bodies) return {};
+  const std::vector<Body>& all = *in.frame.bodies;
+  if (in.jump->before().size() != static_cast<int>(all.size())) return {};  // of other bodies
+  std::vector<BodyIndex> bodies = in.jump->bodies();
+  std::erase_if(bodies, [&](BodyIndex i) { return has_infinite_mass(all[static_cast<std::size_t>(i)]); });
+  std::vector<std::size_t> link(bodies.size());  // to another one of its group; the last one to itself
+  std::iota(link.begin(), link.end(), std::size_t{0});
+  const auto last = [&link](std::size_t k) {
+    while (link[k] != k) k = link[k] = link[link[k]];
+    return k;
+  };
+  const auto place = [&bodies](BodyIndex body) {
+    const auto at = std::lower_bound(bodies.begin(), bodies.end(), body);
+    return at != bodies.end() && *at == body ? std::optional(static_cast<std::size_t>(at - bodies.begin()))
+                                             : std::nullopt;
+  };
+  const auto connect = [&](std::optional<std::size_t> a, std::optional<std::size_t> b) {
+    if (a && b) link[last(*b)] = last(*a);
+  };
+  for (const ImpactRecord& impact : in.jump->records) connect(place(impact.a), place(impact.b));
+  const auto named = [&](const std::string& name) -> std::optional<std::size_t> {
+    const auto at = std::find_if(bodies.begin(), bodies.end(),
+                                 [&](BodyIndex i) { return all[static_cast<std::size_t>(i)].name == name; });
+    return at == bodies.end() ? std::nullopt : std::optional(static_cast<std::size_t>(at - bodies.begin()));
+  };
+  for (const Joint& joint : in.jump->joints) connect(named(joint.body), named(joint.to));
+
+  std::vector<Group> groups;
+  std::vector<std::optional<std::size_t>> group_of(bodies.size());  // of the last one of each
+  for (std::size_t i = 0; i < in.jump->records.size(); ++i) {
+    const ImpactRecord& impact = in.jump->records[i];
+    std::optional<std::size_t> at = place(impact.a);
+    if (!at) at = place(impact.b);
+    if (!at) continue;
+    std::optional<std::size_t>& group = group_of[last(*at)];
+    if (!group) {
+      group = groups.size();
+      groups.emplace_back();
+    }
+    groups[*group].impacts.push_back(i);
+  }
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (const auto group = group_of[last(k)]) groups[*group].bodies.push_back(bodies[k]);
+  }
+  std::size_t room = kMostJumping;
+  for (Group& group : groups) {
+    if (group.bodies.size() > room) group.bodies.resize(room);
+    room -= group.bodies.size();
+  }
+  std::erase_if(groups, [](const Group& group) { return group.bodies.empty(); });
+  return groups;
+}
 
 class Builder {
  public:
-  Builder(const DrawingInput& in, const std::vector<BodyIndex>& bodies, Drawing& out)
-      : in_(in), out_(out), first_(in.jump->records.front()), pixel_(1.0 / in.camera.scale), bodies_(bodies) {
+  Builder(const DrawingInput& in, const Group& group, Drawing& out)
+      : in_(in),
+        out_(out),
+        first_(in.jump->records[group.impacts.front()]),
+        pixel_(1.0 / in.camera.scale),
+        bodies_(group.bodies),
+        impacts_(group.impacts),
+        middle_(first_.point) {
     // Before stands above or at the left.
     side_ = crossed(first_.normal);
     if (side_.y() < 0.0 || (side_.y() == 0.0 && side_.x() > 0.0)) side_ = -side_;
@@ -34,17 +105,24 @@ class Builder {
   }
 
   void build() {
+    double least = kMostReach * pixel_;
+    double most = -least;
     for (const BodyIndex body : bodies_) {
       const Vec2 from = in_.jump->before().position(body) - first_.point;
       const double half = bounding_radius(body_of(body).shape);
+      least = std::min(least, along(from));
+      most = std::max(most, along(from));
       up_ = std::max(up_, std::min(side_.dot(from) + half, kMostReach * pixel_));
       down_ = std::max(down_, std::min(half - side_.dot(from), kMostReach * pixel_));
     }
+    // Through the bodies where all are on one side of the contact: on the other one is a wall.
+    at_wall_ = least > 0.0 || most < 0.0;
+    if (at_wall_) middle_ += (least > 0.0 ? least : most) * first_.normal;
     for (std::size_t level = 0; level < bodies_.size(); ++level) {
       add_velocity(level, up_, in_.jump->before(), true);
       add_velocity(level, -down_, in_.jump->after(), false);
     }
-    for (std::size_t i = 0; i < in_.jump->records.size(); ++i) add_impulse(i);
+    for (const std::size_t i : impacts_) add_impulse(i);
     add_axis();
   }
 
@@ -52,6 +130,10 @@ class Builder {
   [[nodiscard]] bool is_seen(const Vec2& arrow) const { return arrow.norm() >= kLeastLength * pixel_; }
   [[nodiscard]] Vec2 direction(const Vec2& arrow) const {
     return is_seen(arrow) ? Vec2(arrow.normalized()) : Vec2(Vec2::Zero());
+  }
+  // m, along the normal.
+  [[nodiscard]] double along(const Vec2& from) const {
+    return std::clamp(first_.normal.dot(from), -kMostReach * pixel_, kMostReach * pixel_);
   }
   // The arrows stand beside one another rather than over one another.
   [[nodiscard]] bool is_wide() const { return std::abs(side_.x()) > std::abs(side_.y()); }
@@ -69,15 +151,20 @@ class Builder {
     const BodyIndex body = bodies_[level];
     const double out_by = (kGap + level_ * static_cast<double>(bodies_.size() - 1 - level)) * pixel_;
     const Vec2 from = in_.jump->before().position(body) - first_.point;
-    const double along = std::clamp(first_.normal.dot(from), -kMostReach * pixel_, kMostReach * pixel_);
-    const Vec2 at = first_.point + along * first_.normal + (beside + std::copysign(out_by, beside)) * side_;
+    const Vec2 at =
+        first_.point + along(from) * first_.normal + (beside + std::copysign(out_by, beside)) * side_;
     const Vec2 arrow = state.velocity(body) * in_.arrows.seconds;
     const QString text = name(body) + ' ' +
                          figure(without_rounding(state.velocity(body).norm(), fastest()), 3) +
                          QStringLiteral(" m/s");
-    // Behind the arrow; beside one of a row of columns.
-    const Vec2 text_side = is_wide() ? Vec2(std::copysign(1.0, beside) * side_) : direction(-arrow);
-    add({at, at + arrow, ink(kColors[level]), kJumpWidth, before}, text, at, text_side, !before);
+    // Clear of the line: on the side from which the arrow comes, or else on that of the body. At a wall always
+    // there, then beyond the arrow.
+    const double leads = arrow.dot(first_.normal);
+    const bool crosses = std::abs(leads) > kAcross * arrow.norm();
+    const double away = crosses && !at_wall_ ? -leads : along(from);
+    const Vec2 text_side = std::copysign(1.0, away) * first_.normal;
+    const Vec2 text_at = crosses && leads * away > 0.0 ? Vec2(at + arrow) : at;
+    add({at, at + arrow, ink(kColors[level]), kJumpWidth, before}, text, text_at, text_side, !before);
   }
 
   // m/s, of the bodies that jump.
@@ -100,7 +187,7 @@ class Builder {
     const bool b = !has_infinite_mass(body_of(impact.b));
     const QString who = a && b ? QStringLiteral("each") : name(a ? impact.a : impact.b);
     QString text = QString("%1 gets %2 N·s").arg(who, figure(impulse.norm(), 3));
-    if (in_.jump->records.size() == 1) text += '\n' + loss_text(i);
+    if (impacts_.size() == 1) text += '\n' + loss_text(i);
     const Vec2 tip = b ? arrow : Vec2(-arrow);
     if (a && b)
       add({impact.point, impact.point - arrow, color, kImpulseWidth, false}, {}, Vec2::Zero(), Vec2::Zero(),
@@ -132,9 +219,9 @@ class Builder {
 
   void add_axis() {
     const double beyond = (kGap + level_ * static_cast<double>(bodies_.size() - 1) + kAxisEnd) * pixel_;
-    const Vec2 top = first_.point + (up_ + beyond) * side_;
-    const Vec2 end = first_.point - (down_ + beyond) * side_;
-    out_.jump.axis = {top, end};
+    const Vec2 top = middle_ + (up_ + beyond) * side_;
+    const Vec2 end = middle_ - (down_ + beyond) * side_;
+    out_.jump.axes.emplace_back(top, end);
     out_.jump.texts.push_back({top, side_, QStringLiteral("just before"), in_.theme.muted, false});
     out_.jump.texts.push_back({end, -side_, QStringLiteral("just after"), in_.theme.text, true});
   }
@@ -150,6 +237,9 @@ class Builder {
   const ImpactRecord& first_;
   double pixel_;  // m
   const std::vector<BodyIndex>& bodies_;
+  const std::vector<std::size_t>& impacts_;
+  Vec2 middle_;           // m, of the line before and after which the velocities stand
+  bool at_wall_ = false;  // all bodies are on one side of the contact
   Vec2 side_ = Vec2::UnitY();
   double level_ = kLevel;  // px
   double up_ = 0.0;        // m, how far the bodies reach from the contact
@@ -159,18 +249,14 @@ class Builder {
 }  // namespace
 
 std::vector<BodyIndex> bodies_of_jump(const DrawingInput& in) {
-  if (in.jump == nullptr || !in.options.jumps || !in.frame.bodies) return {};
-  if (in.jump->before().size() != static_cast<int>(in.frame.bodies->size())) return {};  // of other bodies
-  std::vector<BodyIndex> bodies = in.jump->bodies();
-  std::erase_if(
-      bodies, [&](BodyIndex i) { return has_infinite_mass((*in.frame.bodies)[static_cast<std::size_t>(i)]); });
-  if (bodies.size() > kMostJumping) bodies.resize(kMostJumping);
+  std::vector<BodyIndex> bodies;
+  for (const Group& group : groups_of(in))
+    bodies.insert(bodies.end(), group.bodies.begin(), group.bodies.end());
   return bodies;
 }
 
 void add_jump(const DrawingInput& in, Drawing& out) {
-  const std::vector<BodyIndex> bodies = bodies_of_jump(in);
-  if (!bodies.empty()) Builder(in, bodies, out).build();
+  for (const Group& group : groups_of(in)) Builder(in, group, out).build();
 }
 
 }  // namespace carom

@@ -32,12 +32,10 @@ void paint_arrow(QPainter& painter, const Drawing::JumpArrow& arrow, double line
 void paint_jump(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
                 const Obstacles& obstacles) {
   const Drawing::Jump& jump = drawing.jump;
-  if (jump.axis) {
-    QPen dashed(theme.muted, drawing.outline, Qt::CustomDashLine, Qt::FlatCap);
-    dashed.setDashPattern({3.0, 2.5});
-    painter.setPen(dashed);
-    painter.drawLine(camera.to_screen(jump.axis->first), camera.to_screen(jump.axis->second));
-  }
+  QPen dashed(theme.muted, drawing.outline, Qt::CustomDashLine, Qt::FlatCap);
+  dashed.setDashPattern({3.0, 2.5});
+  painter.setPen(dashed);
+  for (const auto& [top, end] : jump.axes) painter.drawLine(camera.to_screen(top), camera.to_screen(end));
   const double line_scale = grid_line_width(drawing);
   for (const Drawing::JumpArrow& arrow : jump.arrows) paint_arrow(painter, arrow, line_scale, camera, theme);
   const QFont font = painter.font();

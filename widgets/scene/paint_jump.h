@@ -7,7 +7,7 @@ class QPainter;
 
 namespace carom {
 
-// The picked impact: its line dashed, arrows hollow before and solid after, and the texts, clear of the
+// The picked impact: its lines dashed, arrows hollow before and solid after, and the texts, clear of the
 // obstacles too.
 void paint_jump(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
                 const Obstacles& obstacles);

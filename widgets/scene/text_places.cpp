@@ -86,6 +86,8 @@ std::vector<QRectF> jump_places(const Drawing& drawing, const Camera& camera, co
   add_bodies(drawing, camera, obstacles);
   for (const Drawing::JumpArrow& arrow : drawing.jump.arrows)
     obstacles.lines.emplace_back(camera.to_screen(arrow.from), camera.to_screen(arrow.to));
+  for (const auto& [top, end] : drawing.jump.axes)
+    obstacles.lines.emplace_back(camera.to_screen(top), camera.to_screen(end));
   for (const ScaleMark& mark : scale_row(drawing, camera, font)) obstacles.rects.push_back(mark.rect);
   const QRectF view = QRectF(QPointF(), camera.viewport).adjusted(kInset, kInset, -kInset, -kInset);
   std::vector<QRectF> places;

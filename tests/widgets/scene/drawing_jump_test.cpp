@@ -100,6 +100,22 @@ TEST_F(DrawingJump, OneSwitchHidesIt) {
   EXPECT_TRUE(jump().arrows.empty());
 }
 
+TEST_F(DrawingJump, PairsThatMeetAtOneMomentHaveALineEach) {
+  Preset preset;
+  preset.scene.bodies = {disc("A", {-0.4, 0.0}, {3.0, 0.0}, 1.0), disc("B", {0.4, 0.0}, {0.0, 0.0}, 2.0),
+                         disc("C", {-0.4, 2.0}, {3.0, 0.0}, 1.0), disc("D", {0.4, 2.0}, {0.0, 0.0}, 2.0)};
+  show(preset);
+  ASSERT_EQ(jump().axes.size(), 2U);
+  EXPECT_EQ(texts().filter("just before").size(), 2);
+  EXPECT_EQ(texts().filter("lost 0 J").size(), 2);
+  for (const Drawing::JumpText& text : jump().texts) {
+    const QChar who = text.text[0];
+    if (text.text[1] == ' ') {
+      EXPECT_EQ(text.at.y() > 1.0, who == 'C' || who == 'D');
+    }
+  }
+}
+
 TEST_F(DrawingJump, AtAWallTheBodyAlone) {
   Preset preset;
   Body floor;
@@ -117,6 +133,7 @@ TEST_F(DrawingJump, AtAWallTheBodyAlone) {
   ASSERT_EQ(jump().arrows.size(), 3U);
   EXPECT_LT(jump().arrows[0].from.x(), -0.2) << "before stands at the left";
   EXPECT_GT(jump().arrows[1].from.x(), 0.2);
+  EXPECT_GT(jump().axes.front().first.y(), -0.4) << "through the ball, clear of the floor";
 }
 
 }  // namespace
