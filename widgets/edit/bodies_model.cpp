@@ -92,14 +92,9 @@ TypedCell typed_name(const std::vector<Body>& bodies, const Body& body, const QS
   return {renaming(body, name), {}};
 }
 
-// All bodies of the scene, driven ones where they are at the frame's time.
-std::shared_ptr<const std::vector<Body>> bodies_seen(const Scene& scene,
-                                                     const std::shared_ptr<const Frame>& frame) {
-  std::vector<Body> bodies = all_bodies(scene);
-  if (frame != nullptr) {
-    for (Body& body : bodies) body = as_seen(std::move(body), frame->time);
-  }
-  return std::make_shared<const std::vector<Body>>(std::move(bodies));
+bool is_velocity(int column) {
+  return column == BodiesModel::kVelocityX || column == BodiesModel::kVelocityY ||
+         column == BodiesModel::kSpeed || column == BodiesModel::kDirection;
 }
 
 // The number of a cell that can be edited.
@@ -154,11 +149,23 @@ void BodiesModel::show(const std::shared_ptr<const Scene>& scene, const std::sha
   frame_ = scene == nullptr ? frame : nullptr;
   if (scene != nullptr) surfaces_ = scene;
   if (scene == nullptr && frame == nullptr) return rows_changed(rowCount());  // what is shown stays
-  const auto bodies = scene != nullptr ? bodies_seen(*scene, frame) : frame->bodies;
+  auto bodies = scene == nullptr ? frame->bodies : nullptr;
+  if (scene == nullptr) {
+    state_ = frame->state;
+  } else {
+    const double time = frame == nullptr ? 0.0 : frame->time;
+    std::vector<Body> seen = all_bodies(*scene);
+    state_.resize(static_cast<int>(seen.size()));
+    for (BodyIndex i{0}; i < state_.size(); ++i) {
+      Body& body = seen[static_cast<std::size_t>(i)];
+      state_.set_motion(i, initial_motion(body, time));
+      if (frame != nullptr) body = as_seen(std::move(body), time);
+    }
+    bodies = std::make_shared<const std::vector<Body>>(std::move(seen));
+  }
   if (bodies != bodies_) mass_ = mass_properties(*bodies);
   if (scene == nullptr || bodies->size() != bodies_->size()) faults_.clear();
   bodies_ = bodies;
-  state_ = scene != nullptr ? initial_state(*bodies) : frame->state;
   count();
 }
 
@@ -212,6 +219,11 @@ double BodiesModel::rim_speed(int body) const {
 }
 
 double BodiesModel::moved(int body, double velocity) const {
+  if (const auto& drive = (*bodies_)[static_cast<std::size_t>(body)].drive) {
+    const double fastest =
+        drive->velocity.norm() + std::abs(drive->angular_frequency) * drive->amplitude.norm();
+    return without_rounding(velocity, fastest);
+  }
   const bool rounding = without_rounding(velocity, fastest_) == 0.0 &&
                         without_rounding(mass_.mass[body] * velocity, heaviest_) == 0.0;
   return rounding ? 0.0 : velocity;
@@ -319,11 +331,11 @@ FigureModel::Cell BodiesModel::cell(int row, int column) const {
       return disc == nullptr ? Cell() : Cell(disc->radius);
     }
     default:
-      return stays ? Cell() : motion(row, column);
+      return stays && !(body.drive && is_velocity(column)) ? Cell() : motion(row, column);
   }
 }
 
-// Of a body that moves.
+// Of a body that moves; of a driven one its velocity alone.
 FigureModel::Cell BodiesModel::motion(int body, int column) const {
   const Vec2 velocity = state_.velocity(body);
   const auto from_centre = [&](int axis) {

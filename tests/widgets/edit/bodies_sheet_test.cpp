@@ -12,8 +12,11 @@
 #include <QToolButton>
 #include <gtest/gtest.h>
 #include <memory>
+#include <numbers>
+#include <tuple>
 
 #include "widgets/edit/bodies_model.h"
+#include "widgets/edit/driven.h"
 
 namespace carom {
 namespace {
@@ -259,6 +262,27 @@ TEST_F(BodiesSheetTest, WhatFollowsIsShownWithItsSum) {
   EXPECT_EQ(column(Column::kAngularMomentum), (QStringList{"−7.000", "0", "−7.000"}));
   EXPECT_EQ(column(Column::kInertia)[0], "0.5000");
   EXPECT_EQ(column(Column::kRadius)[0], QString("0.1000"));
+}
+
+TEST_F(BodiesSheetTest, ADrivenBodyHasThePlaceAndVelocityOfItsDrive) {
+  Body paddle = body("paddle", 1.0, 0.5);
+  paddle = driven(paddle, {.velocity = Vec2::Zero(),
+                           .amplitude = Vec2(0.1, 0.0),
+                           .angular_frequency = 2.0 * std::numbers::pi,
+                           .phase = 0.5 * std::numbers::pi});
+  show({paddle, body("light", 1.0, -1.0)});
+  auto frame = std::make_shared<Frame>();
+  for (const auto& [time, place, speed] :
+       {std::tuple(0.0, "0.6000", "0"), std::tuple(0.25, "0.5000", "−0.6283"),
+        std::tuple(0.5, "0.4000", "0")}) {
+    frame->time = time;
+    scene_ = std::make_shared<const Scene>(*scene_);
+    sheet_.show_moment(scene_, frame);
+    EXPECT_EQ(text(0, Column::kX), place) << time;
+    EXPECT_EQ(text(0, Column::kVelocityX), speed) << time;
+    EXPECT_EQ(text(0, Column::kMass), "driven");
+    EXPECT_EQ(text(2, Column::kVelocityX), "2.000") << "of what moves freely";
+  }
 }
 
 TEST_F(BodiesSheetTest, NamesAreDifferent) {
