@@ -67,6 +67,7 @@ void SceneTools::end_note() {
 
 void SceneTools::set_selection(const std::vector<std::string>& names) {
   awaited_.clear();
+  waiting_keys_.clear();
   choose(std::nullopt);
   if (!selection_.set(names)) return;
   if (!note_of_ || names != std::vector{note_of_->body}) end_note();
@@ -83,7 +84,10 @@ void SceneTools::select(const std::vector<std::string>& names) {
 }
 
 void SceneTools::select_awaited() {
-  if (!awaited_.empty() && index_.contains(awaited_.back())) select(std::exchange(awaited_, {}));
+  if (awaited_.empty() || !index_.contains(awaited_.back())) return;
+  auto keys = std::exchange(waiting_keys_, {});
+  select(std::exchange(awaited_, {}));
+  waiting_keys_ = std::move(keys);
 }
 
 bool SceneTools::select_next(bool forward) {

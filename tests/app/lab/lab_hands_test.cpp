@@ -236,6 +236,21 @@ TEST_F(LabHandsTest, KeysWaitForTheCopiesThatTheyMove) {
   EXPECT_EQ(window_.scene_view().selection(), std::vector<std::string>{"light-1"});
 }
 
+TEST_F(LabHandsTest, KeysThatWaitedForCopiesMoveNothingElse) {
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(shows_start());
+  select(now("light").position);
+  const Vec2 heavy = now("heavy").position;
+  key(Qt::Key_D, Qt::ControlModifier);
+  key(Qt::Key_Right);
+  key(Qt::Key_Delete);
+  select(heavy);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 3; }));
+  QTest::qWait(100);
+  EXPECT_EQ(now("heavy").position, heavy);
+  EXPECT_EQ(window_.frame()->bodies->size(), 3U);
+}
+
 // The line to the first impact follows each edit of the start.
 TEST_F(LabHandsTest, AnEditShowsWhereTheBodiesMeet) {
   ASSERT_TRUE(window_.open("head-on"));
