@@ -155,6 +155,9 @@ FigureTable::FigureTable(FigureModel* model, QWidget* parent) : KeptTable(parent
   horizontalHeader()->setMinimumSectionSize(0);
   connect(model, &QAbstractItemModel::modelReset, this, &FigureTable::share_width);
   connect(model, &QAbstractItemModel::rowsInserted, this, &FigureTable::share_width);
+  for (const auto rows : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+    connect(model, rows, this, &FigureTable::fit_rows);
+  connect(model, &QAbstractItemModel::modelReset, this, &FigureTable::fit_rows);
   // Columns grow with their figures, but not at every frame.
   constexpr int kGrowsAfter = 100;  // ms
   auto* grows = new QTimer(this);
@@ -251,6 +254,14 @@ int FigureTable::wanted_rows() const {
 void FigureTable::resizeEvent(QResizeEvent* event) {
   QTableView::resizeEvent(event);
   share_width();
+  fit_rows();
+}
+
+// Where rows scroll they are as much higher as lets whole ones fill the height: none is cut in half.
+void FigureTable::fit_rows() {
+  const int height = viewport()->height();
+  const bool scrolls = model_->rowCount() * kRowHeight > height && height >= kRowHeight;
+  verticalHeader()->setDefaultSectionSize(scrolls ? height / (height / kRowHeight) : kRowHeight);
 }
 
 // px: a column of text keeps nine tenths of its share and cuts what is longer; figures and heads are never cut.

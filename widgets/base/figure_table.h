@@ -101,6 +101,7 @@ class FigureTable : public KeptTable {
   [[nodiscard]] int least_width(int column) const;
   [[nodiscard]] int least_width() const;  // px, of all columns
   void share_width();
+  void fit_rows();
 
   FigureModel* model_;
 };

@@ -56,5 +56,25 @@ TEST(FigureTable, ASumStaysInSightWithTheRowsUnderIt) {
   EXPECT_GE(table.visualRect(model->index(kSum, 0)).top(), 0);
 }
 
+TEST(FigureTable, NoRowIsCutInHalf) {
+  auto* model = new Counted;
+  FigureTable table(model, nullptr);
+  table.show();
+  model->set_count(3);
+  table.resize(200, 300);
+  const int usual = table.rowHeight(0);
+  model->set_count(40);
+  for (int height = 90; height < 300; ++height) {
+    table.resize(200, height);
+    const int seen = table.viewport()->height();
+    const int row = table.rowHeight(0);
+    EXPECT_GE(row, usual);
+    EXPECT_LT(seen % row, seen / row) << "less than a pixel a row is left";
+  }
+  table.resize(200, 300);
+  model->set_count(3);
+  EXPECT_EQ(table.rowHeight(0), usual);
+}
+
 }  // namespace
 }  // namespace carom
