@@ -140,6 +140,9 @@ StudyPanel::StudyPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
   words_->setWordWrap(true);
   words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
   below_->addWidget(words_);
+  first_words_ = new ElidedLabel;
+  first_words_->setObjectName("caption");
+  below_->addWidget(first_words_);
 
   connect(&timer_, &QTimer::timeout, this, &StudyPanel::poll);
   show_words();
@@ -293,7 +296,7 @@ void StudyPanel::show_words() {
                    "comparison."));
   pages_->setCurrentIndex(!studied_ || (table.rows.empty() && !running()) ? 0 : 1);
 
-  below_->setCurrentIndex(running() ? 0 : 1);
+  show_below();
   const QString title = studied_ ? QString::fromStdString(studied_->title) : QString();
   const QString other = current_ || !studied_ ? QString()
                         : studied_->title == preset_.title
@@ -309,8 +312,10 @@ void StudyPanel::show_words() {
   } else if (!table.rows.empty()) {
     const QString stopped = so_far_.phase == Phase::kCancelled ? tr("Stopped before it was done. ") : QString();
     words_->setText(stopped + words_of(table.facts));
-    words_->setToolTip("<p>" + stopped.toHtmlEscaped() + "</p><p>" +
-                       words_of(table.facts).toHtmlEscaped().replace("; ", ".</p><p>") + ".</p>");
+    first_words_->set_whole(words_->text());
+    for (QLabel* label : {words_, static_cast<QLabel*>(first_words_)})
+      label->setToolTip("<p>" + stopped.toHtmlEscaped() + "</p><p>" +
+                        words_of(table.facts).toHtmlEscaped().replace("; ", ".</p><p>") + ".</p>");
   }
 }
 
@@ -319,9 +324,17 @@ void StudyPanel::showEvent(QShowEvent* event) {
   if (stale_) show_points();
 }
 
+// A low panel has room for one line.
+void StudyPanel::show_below() {
+  const bool low = height() < kLow;
+  below_->setMaximumHeight(low ? first_words_->sizeHint().height() : QWIDGETSIZE_MAX);
+  below_->setCurrentIndex(running() ? 0 : low ? 2 : 1);
+}
+
 void StudyPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   const bool low = height() < kLow;
+  show_below();
   layout_->setDirection(low ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   layout_->setSpacing(low ? 10 : 4);
   buttons_->setSpacing(low ? 2 : 4);

@@ -69,6 +69,7 @@ class StudyPanel : public QWidget {
   void poll();
   void show_points();
   void show_words();
+  void show_below();
   void choose_steps();
   void show_steps();
   void choose_file();
@@ -102,6 +103,7 @@ class StudyPanel : public QWidget {
   ElidedLabel* stage_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QLabel* words_ = nullptr;
+  ElidedLabel* first_words_ = nullptr;
   std::unique_ptr<BackgroundStudy> study_;  // while it runs
 };
 
