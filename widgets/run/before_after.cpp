@@ -182,8 +182,10 @@ double BeforeAfterModel::gyration(BodyIndex body) const {
 double BeforeAfterModel::fastest() const {
   double most = 0.0;
   for (const BodyIndex body : compared_.shown) {
-    for (const State* state : {&compared_.before, &compared_.after})
+    for (const State* state : {&compared_.before, &compared_.after}) {
+      if (body >= state->size()) continue;  // it came in later
       most = std::max({most, state->velocity(body).norm(), gyration(body) * std::abs(state->v.col(body)[2])});
+    }
   }
   return most;
 }
