@@ -35,7 +35,7 @@ class CellGrid {
   // `order` is that of a grid with all bodies.
   void restore(const Order& order);
 
-  // Empties the grid and sizes it for bodies 0 .. bodies - 1 and cells of `size` (m, > 0).
+  // Empties the grid and sizes it for bodies 0 .. bodies - 1 and cells of `size` (m; 0: any).
   void reset(int bodies, double size) {
     const auto side = std::bit_ceil(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(bodies)) + 1.0));
     if (static_cast<int>(bounds_.size()) != bodies || side != mask_ + 1) {
@@ -49,7 +49,7 @@ class CellGrid {
     }
     large_.clear();
     for (Range& range : range_) range.state = kOut;
-    inverse_size_ = 1.0 / size;
+    inverse_size_ = size > 0.0 ? 1.0 / size : 1.0;  // there may be nothing but points at rest
   }
 
   // Inserts a body, or moves it.

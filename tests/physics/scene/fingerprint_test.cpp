@@ -53,7 +53,7 @@ Scene of_everything() {
   s.joints = {
       {"rod", JointKind::kRod, "disc", {0.1, 0.0}, "box", {0.0, 0.1}, 1.5, {}, {}},
       {"pin", JointKind::kPin, "disc", {0.1, 0.0}, "", {0.0, 0.1}, {}, {}, {}},
-      {"weld", JointKind::kWeld, "box", {}, "disc", {}, {}, 0.25, {}},
+      {"weld", JointKind::kWeld, "box", {0.0, 0.0}, "disc", {0.0, 0.0}, {}, 0.25, {}},
   };
   return s;
 }
