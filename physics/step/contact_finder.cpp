@@ -99,6 +99,7 @@ void ContactFinder::find(World& world, double step_length, double h, const Conta
   near_.clear();
   supported_.clear();
   supported_rest_.clear();
+  hit_.clear();
   const Step step{world, step_length, h, pressing, memory, found};
   const auto& forces = memory.forces;
   std::size_t last = 0;
@@ -167,6 +168,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
   const double slip = kStuck * step.pressing.change_by_forces() + step.pressing.noise();
   const double size = world.shapes().size[a] + world.shapes().size[b];
+  bool hits_now = false;
   for (int k = 0; k < m.count; ++k) {
     const ManifoldPoint& at = m.points[k];
     const int i = static_cast<int>(found.id.size());
@@ -194,6 +196,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
                               forces.size() <= static_cast<std::size_t>(kFewContactsOfScene);
     if (!near || begins_later || (located && !slow && at.gap >= -rounding)) {
       if (located && open && (closing > rest || begins_later)) found.landings.push_back({a, b, at.id});
+      hits_now |= located && !open && !slow;
       continue;
     }
     // A fast one that penetrates is projected out and left to the impacts at the step's end.
@@ -227,6 +230,8 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     found.press.push_back(press);
     if (slow) support(a, b, rest);
   }
+  if (hits_now && !supported_.empty() && supported_.back() == std::pair(a, b))
+    hit_.push_back(supported_.back());
 }
 
 // m: how much farther from each other than along the normal of now, where they would be at the gap `along_it`
@@ -256,9 +261,13 @@ bool ContactFinder::supports(BodyIndex a, BodyIndex b) const {
   return std::binary_search(supported_.begin(), supported_.end(), std::pair(a, b));
 }
 
+bool ContactFinder::is_hit(BodyIndex a, BodyIndex b) const {
+  return std::find(hit_.begin(), hit_.end(), std::pair(a, b)) != hit_.end();
+}
+
 bool ContactFinder::stays_supported(const World& world, BodyIndex a, BodyIndex b) const {
   const auto pair = std::lower_bound(supported_.begin(), supported_.end(), std::pair(a, b));
-  if (pair == supported_.end() || *pair != std::pair(a, b)) return false;
+  if (pair == supported_.end() || *pair != std::pair(a, b) || is_hit(a, b)) return false;
   const Vec2 u = world.trajectories.at_start(b).segment<2>(3) - world.trajectories.at_start(a).segment<2>(3);
   double speed = u.norm();
   for (const BodyIndex i : {a, b}) {

@@ -75,6 +75,8 @@ class ContactFinder {
   [[nodiscard]] const Neighbours& neighbours() const { return neighbours_; }
   // Whether a contact supports the pair in this step; a < b.
   [[nodiscard]] bool supports(BodyIndex a, BodyIndex b) const;
+  // Whether the pair is supported at one point and hits at another one, now: too fast to rest there.
+  [[nodiscard]] bool is_hit(BodyIndex a, BodyIndex b) const;
   // Whether a supported pair moves so slowly that any touch in this step rests.
   [[nodiscard]] bool stays_supported(const World& world, BodyIndex a, BodyIndex b) const;
 
@@ -99,6 +101,7 @@ class ContactFinder {
   Neighbours neighbours_;
   std::vector<BodyPair> near_;
   std::vector<BodyPair> supported_;
+  std::vector<BodyPair> hit_;           // see is_hit()
   std::vector<double> supported_rest_;  // m/s, parallel to it: the least rest speed of the pair's points
   std::vector<Pose> poses_;
   std::vector<double> reach_;         // m: how far each body may move within a whole step

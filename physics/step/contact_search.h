@@ -26,7 +26,9 @@ struct SearchRules {
   double from;                     // s after the epoch: earlier contacts don't count
   double until;                    // s after the epoch: nor do later ones
   [[nodiscard]] bool rests(BodyIndex a, BodyIndex b) const {
-    return (resting != nullptr && resting->finder().supports(a, b)) || end_of_step.rests(a, b);
+    const bool supported =
+        resting != nullptr && resting->finder().supports(a, b) && !resting->finder().is_hit(a, b);
+    return supported || end_of_step.rests(a, b);
   }
 };
 

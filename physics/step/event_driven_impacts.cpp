@@ -181,6 +181,12 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
     std::optional<LandingTime> landing;
     if (step.may_divide) landing = resting.first_landing(world, supported);
     if (landing && !(landing->time < supported && divides(step, landing->time))) landing.reset();
+    if (landing && landing->time == 0.0) {
+      resting.land(world, *landing);
+      world.publish(0.0);
+      begin_part(step, part + 1 < kMostParts);
+      continue;
+    }
     const std::optional<double> stops =
         process_until(step, landing ? landing->time : supported, landing ? &landing->landing : nullptr);
     if (stops) landing.reset();
@@ -191,14 +197,20 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
     if (landing) resting.land(world, *landing);
     world.publish(passed);
     step.h = step.horizon = left - passed;
-    trajectories.begin(world.clock.step_end - step.h);
-    resting.support(world, step.h, part + 1 < kMostParts);
-    choose_cells(world, step.h);
-    end_of_step_.clear();
-    last_impact_ = -1.0;
-    disturbed_.reset();
-    rebuild_all(step);
+    begin_part(step, part + 1 < kMostParts);
   }
+}
+
+// Supports what is left of the step.
+void EventDrivenImpacts::begin_part(const Step& step, bool may_divide) {
+  World& world = step.world;
+  world.trajectories.begin(world.clock.step_end - step.h);
+  step.resting->support(world, step.h, may_divide);
+  choose_cells(world, step.h);
+  end_of_step_.clear();
+  last_impact_ = -1.0;
+  disturbed_.reset();
+  rebuild_all(step);
 }
 
 std::optional<double> EventDrivenImpacts::process_until(const Step& step, double target,

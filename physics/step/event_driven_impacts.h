@@ -57,6 +57,7 @@ class EventDrivenImpacts {
 
   [[nodiscard]] static bool trajectories_run_on(const World& world, const RestingContacts* resting);
   double process_with_supports(Step& step);
+  void begin_part(const Step& step, bool may_divide);
   // Resolves events up to `target` (s after the epoch), except the landing `awaited` there. Returns the time
   // of a support that divides the step; everything before it is done.
   std::optional<double> process_until(const Step& step, double target, const Landing* awaited = nullptr);

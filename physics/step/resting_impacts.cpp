@@ -23,6 +23,8 @@ namespace {
 // list, in which impulses go farther in one round.
 constexpr int kMostStrikes = 16;
 constexpr int kListed = 8;
+// Relative to the smaller body: less is left to the impacts at the step's end.
+constexpr double kMovedIn = 1e-5;
 
 // All contacts that touch, beside the hits among them.
 void add_touches(const World& world, const FoundContacts& found, std::vector<Hit>& hits) {
@@ -56,9 +58,12 @@ std::optional<LandingTime> RestingContacts::first_landing(World& world, double e
     };
     const double at_start = gap(0.0);
     const double at_end = gap(time);
-    if (!(at_start > 0.0 && at_end < 0.0)) continue;
-    time = bracketed_root(gap, 0.0, at_start, time, at_end);
+    if (!(at_end < 0.0 && at_end < at_start)) continue;
+    // Bodies that were parted elsewhere may have been moved into each other here.
+    if (at_start <= 0.0 && at_start > -kMovedIn * smaller_size(world, a, b)) continue;
+    time = at_start > 0.0 ? bracketed_root(gap, 0.0, at_start, time, at_end) : 0.0;
     first = {landing, time};
+    if (time == 0.0) break;
   }
   return first;
 }

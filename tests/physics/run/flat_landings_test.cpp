@@ -192,5 +192,58 @@ TEST(FlatLandings, APlankLandsOnTwoPegsAtOnce) {
   });
 }
 
+// A light box with a heavy one on it rocks from corner to corner as it slides; while one corner rests, the
+// other one hits. Neither sinks into the other, and the last bounces end.
+TEST(FlatLandings, AStackThatRocksComesToRest) {
+  struct Stack {
+    double restitution;
+    double friction;
+    double step;   // s
+    double lift;   // m
+    double speed;  // m/s
+    double masses[2];
+    Vec2 sizes[2];  // m
+    double places[2];
+  };
+  for (const Stack& stack : {Stack{0.6,
+                                   0.0,
+                                   1.0 / 60.0,
+                                   0.1120601,
+                                   1.734098,
+                                   {1.1110097, 2.8892572},
+                                   {{0.7405972, 0.2805309}, {0.6973762, 0.2082858}},
+                                   {-0.033266, 0.0349387}},
+                             Stack{0.9,
+                                   0.1,
+                                   0.002,
+                                   0.0519029,
+                                   0.355654,
+                                   {0.652619, 2.9517273},
+                                   {{0.6995541, 0.3293232}, {0.5187864, 0.4392363}},
+                                   {-0.0943465, -0.0255107}}}) {
+    for (const double mirrored : {1.0, -1.0}) {
+      RunSetup s =
+          test::setup_with({test::wall("floor", {0.0, -0.5}, 20.0, 1.0)}, stack.restitution, stack.friction);
+      double height = stack.lift;
+      for (const int k : {0, 1}) {
+        const Vec2& size = stack.sizes[k];
+        s.scene.bodies.push_back(box(k == 0 ? "lower" : "upper",
+                                     {mirrored * stack.places[k], height + 0.5 * size.y()},
+                                     {mirrored * stack.speed, 0.0}, size.x(), size.y(), stack.masses[k]));
+        height += size.y();
+      }
+      s.scene.forces.gravity = {0.0, -kG};
+      s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, stack.step};
+      Simulation run(s);
+      run.advance_to(1.2);
+      EXPECT_LT(std::abs(run.ledger().penetration_correction), 0.05);
+      EXPECT_LT(run.impact_count(), 300);
+      EXPECT_NEAR(run.state().position(1).y(), 0.5 * stack.sizes[0].y(), 1e-9);
+      EXPECT_NEAR(run.state().position(2).y(), stack.sizes[0].y() + 0.5 * stack.sizes[1].y(), 1e-9);
+      for (const int k : {1, 2}) EXPECT_NEAR(run.state().q(2, k), 0.0, 1e-9);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom
