@@ -31,9 +31,12 @@ constexpr int kMostAtOnce = 10'000;
 // can press it together in a step. A settling pile would otherwise need millions of impacts a step.
 constexpr int kImpactsBeforeGuard = 100;
 constexpr int kImpactsBeforeGuardPerBody = 4;
-// Parts into which new supports divide a step; a body that comes to rest in the last part is supported from
-// the next step on.
+// Parts into which new supports divide a step; what lands or comes to rest in the last part waits for the next
+// step. Where up to kFew bodies or groups of them move, a part costs little, and boxes rattle from corner to
+// corner.
 constexpr int kMostParts = 8;
+constexpr int kMostPartsOfFew = 32;
+constexpr int kFew = 16;
 // Of a step: impacts leave no shorter rest as a part of its own. Contacts would close or open gaps of rounding
 // within it, at any speed.
 constexpr double kLeastPart = 1e-6;
@@ -174,17 +177,20 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
   RestingContacts& resting = *step.resting;
+  const auto may_divide = [&](int part) {
+    return part < (trajectories.islands() <= kFew ? kMostPartsOfFew : kMostParts);
+  };
   for (int part = 1;; ++part) {
     const double left = step.h;
     const double supported = resting.supported();
-    step.may_divide = part < kMostParts;
+    step.may_divide = may_divide(part);
     std::optional<LandingTime> landing;
     if (step.may_divide) landing = resting.first_landing(world, supported);
     if (landing && !(landing->time < supported && divides(step, landing->time))) landing.reset();
     if (landing && landing->time == 0.0) {
       resting.land(world, *landing);
       world.publish(0.0);
-      begin_part(step, part + 1 < kMostParts);
+      begin_part(step, may_divide(part + 1));
       continue;
     }
     const std::optional<double> stops =
@@ -197,7 +203,7 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
     if (landing) resting.land(world, *landing);
     world.publish(passed);
     step.h = step.horizon = left - passed;
-    begin_part(step, part + 1 < kMostParts);
+    begin_part(step, may_divide(part + 1));
   }
 }
 
