@@ -229,12 +229,15 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
   moment_.clear();
   disturbed_.reset();
   while (!moment_.empty() || (!queue_.empty() && queue_.next().time <= target)) {
-    if (moment_.empty()) find_moment(step);
+    if (moment_.empty()) {
+      if (queue_.next().time > end_of_disturbed(step)) return disturbed_;
+      find_moment(step);
+    }
     const Event next = moment_.back();
     moment_.pop_back();
     if (is_stale(next)) continue;
     // All of a moment comes before the supports that it disturbs.
-    if (disturbed_ && next.time > *disturbed_) return disturbed_;
+    if (disturbed_) disturbed_ = std::max(*disturbed_, next.time);
     if (next.time > target) {
       queue_.push(next);
       continue;

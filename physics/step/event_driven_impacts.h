@@ -74,8 +74,13 @@ class EventDrivenImpacts {
   std::optional<bool> resolve_at_once(const Step& step, BodyIndex a, BodyIndex b, double time);
   // Fills cluster_ with the touches of the pairs of this moment that share bodies.
   void find_closing(const Step& step, BodyIndex a, BodyIndex b, double time);
+  // Adds to moment_ what closes at the end of all trajectories, behind which nothing is scheduled, if contacts
+  // connect it with this impact.
+  void add_unscheduled(const Step& step, const Event& first);
   void find_due(const Step& step, BodyIndex a, BodyIndex b, double time);
-  [[nodiscard]] static double end_of_moment(const Step& step, const Event& first);
+  [[nodiscard]] static double end_of_moment(const Step& step, const Event& impact, double time);
+  // s after the epoch: until when impacts are at the moment that has disturbed supports; infinite without one.
+  [[nodiscard]] double end_of_disturbed(const Step& step) const;
   // Fills cluster_ with the touches of all bodies in contact with a or b, directly or through others.
   void find_touching(World& world, BodyIndex a, BodyIndex b, double time, double tolerances);
   bool find_touches(World& world, BodyIndex a, BodyIndex b, double time, double tolerances);
@@ -121,6 +126,7 @@ class EventDrivenImpacts {
   ImpactCluster cluster_;
   std::vector<BodyIndex> reached_;  // bodies of a cluster, as they are found
   std::vector<Event> moment_;
+  std::vector<Event> later_;         // than a moment, if little
   std::optional<double> disturbed_;  // s after the epoch: when an impact has disturbed supports in this part
   std::vector<BodyPair> due_;
   std::vector<Contact> found_;

@@ -64,13 +64,18 @@ class ImpactCluster {
   void add(BodyIndex a, BodyIndex b, const Contact& contact) { touches_.push_back({a, b, contact}); }
   [[nodiscard]] std::span<const Touch> touches() const { return touches_; }
   [[nodiscard]] std::span<Touch> touches() { return touches_; }
-  // Keeps, of the touches that close, those that bodies which move connect with a or b, and none that closes
-  // much slower than others: it is another impact's, or rounding. With velocities `motion(body)`.
+  // Keeps the touches that close, and none that closes much slower than others: it is another impact's, or
+  // rounding. With velocities `motion(body)`.
   template <class MotionOf>
-  void keep_closing(const World& world, BodyIndex a, BodyIndex b, const MotionOf& motion) {
+  void keep_closing(const MotionOf& motion) {
     closing_.clear();
     for (const Touch& t : touches_) closing_.push_back(closing_speed(t, motion(t.a), motion(t.b)));
     drop_slow();
+  }
+  // The same, of those that bodies which move connect with a or b.
+  template <class MotionOf>
+  void keep_closing(const World& world, BodyIndex a, BodyIndex b, const MotionOf& motion) {
+    keep_closing(motion);
     keep_connected(world, a, b, touches_);
     drop_doubles(world);
   }

@@ -138,7 +138,7 @@ void EventDrivenImpacts::search(const Step& step, BodyIndex a, BodyIndex b, doub
     return;
   }
   world.shapes().each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
-    const SearchRules rules{end_of_step_, step.resting, closing_share(), from, disturbed_.value_or(kNever)};
+    const SearchRules rules{end_of_step_, step.resting, closing_share(), from, end_of_disturbed(step)};
     const NextContact next = next_contact(world, rules, a, b, {part_a, part_b});
     switch (next.kind) {
       case NextContact::kNone:

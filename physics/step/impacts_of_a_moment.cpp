@@ -22,7 +22,7 @@ constexpr double kRoundings = 16.0;
 constexpr std::int64_t kMostWork = 300'000;
 constexpr std::size_t kMostOfMoment = 256;
 // Of a step: the rounding of a gap puts a slow impact off by no more.
-constexpr double kMostOff = 1e-10;
+constexpr double kMostOff = 1e-8;
 
 // The islands of these bodies, in rising order.
 std::vector<int> islands_of(const Trajectories& trajectories, const std::vector<BodyIndex>& bodies) {
@@ -103,39 +103,61 @@ void EventDrivenImpacts::find_moment(const Step& step) {
   queue_.pop();
   queue_.sweep([&](const Event& event) { return is_stale(event); });
   moment_.assign({next});
-  if (next.b < 0 || is_stale(next) || queue_.empty() ||
-      queue_.next().time > next.time + apart(next.time, step.h, kMostOff * step.h))
-    return;
-  const double until = end_of_moment(step, next);
-  while (!queue_.empty() && queue_.next().time <= until && queue_.next().b >= 0) {
-    if (!is_stale(queue_.next())) moment_.push_back(queue_.next());
+  if (next.b < 0 || is_stale(next)) return;
+  const double most = next.time + apart(next.time, step.h, kMostOff * step.h);
+  const bool at_end = most > step.horizon;
+  if (!at_end && (queue_.empty() || queue_.next().time > most)) return;
+  const double until = end_of_moment(step, next, next.time);
+  later_.clear();
+  while (!queue_.empty() && queue_.next().time <= most && queue_.next().b >= 0) {
+    const Event event = queue_.next();
     queue_.pop();
+    if (is_stale(event)) continue;
+    const bool belongs = event.time <= until || event.time <= end_of_moment(step, event, next.time);
+    (belongs ? moment_ : later_).push_back(event);
   }
+  for (const Event& event : later_) queue_.push(event);
+  if (at_end && until > step.horizon) add_unscheduled(step, next);
   std::sort(moment_.begin() + 1, moment_.end(),
             [](const Event& x, const Event& y) { return std::tie(x.a, x.b) > std::tie(y.a, y.b); });
   std::rotate(moment_.begin(), moment_.begin() + 1, moment_.end());
 }
 
-// s after the epoch: until when impacts are at one moment with this one.
-double EventDrivenImpacts::end_of_moment(const Step& step, const Event& first) {
+void EventDrivenImpacts::add_unscheduled(const Step& step, const Event& first) {
+  World& world = step.world;
+  find_touching(world, first.a, first.b, first.time, kRoundings);
+  cluster_.keep_closing([&](BodyIndex i) { return motion_at(world.trajectories, i, first.time); });
+  for (const ImpactCluster::Touch& touch : cluster_.touches()) {
+    const bool is_known = std::any_of(moment_.begin(), moment_.end(), [&](const Event& event) {
+      return std::minmax(event.a, event.b) == std::minmax(touch.a, touch.b);
+    });
+    const bool rests =
+        step.resting != nullptr && step.resting->finder().stays_supported(world, touch.a, touch.b);
+    if (!is_known && !rests)
+      moment_.push_back({first.time, touch.a, touch.b, stamp_[touch.a], stamp_[touch.b]});
+  }
+}
+
+// s after the epoch: until when impacts are at one moment with one at `time`, as far as rounding puts this one
+// off.
+double EventDrivenImpacts::end_of_moment(const Step& step, const Event& impact, double time) {
   const World& world = step.world;
   const auto velocity = [&](BodyIndex i) { return world.trajectories.at_start(i).segment<2>(3); };
-  const double speed = (velocity(first.b) - velocity(first.a)).norm();
-  const double off = std::min(touch_tolerance(world, first.a, first.b) / speed, kMostOff * step.h);
-  return first.time + apart(first.time, step.h, off);
+  const double speed = (velocity(impact.b) - velocity(impact.a)).norm();
+  const double off = std::min(touch_tolerance(world, impact.a, impact.b) / speed, kMostOff * step.h);
+  return time + apart(time, step.h, off);
+}
+
+double EventDrivenImpacts::end_of_disturbed(const Step& step) const {
+  return disturbed_ ? *disturbed_ + apart(*disturbed_, step.h, kMostOff * step.h)
+                    : std::numeric_limits<double>::infinity();
 }
 
 void EventDrivenImpacts::find_closing(const Step& step, BodyIndex a, BodyIndex b, double time) {
   World& world = step.world;
   cluster_.clear();
   if (at_once_work_ > kMostWork) return;
-  // A moment at the end of all trajectories: other impacts of it may lie behind, where nothing is scheduled.
-  if (time + apart(time, step.h, kMostOff * step.h) > step.horizon &&
-      end_of_moment(step, {time, a, b}) > step.horizon) {
-    find_touching(world, a, b, time, kRoundings);
-  } else {
-    find_due(step, a, b, time);
-  }
+  find_due(step, a, b, time);
   cluster_.keep_closing(world, a, b, [&](BodyIndex i) { return motion_at(world.trajectories, i, time); });
   if (!cluster_.has_several(world) || cluster_.touches().size() > 2 * kMostTogether) {
     cluster_.clear();
