@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/lab/new_parts.h"
@@ -34,6 +35,11 @@ bool need_new_start(const Scene& now, const SceneEdits& edits) {
   return std::any_of(edits.begin(), edits.end(), [&now](const SceneEdit& each) {
     return is_about_motion(now, each) || std::holds_alternative<Remove<Body>>(each);
   });
+}
+
+double to_two_figures(double value) {
+  const double scale = std::pow(10.0, 1.0 - std::floor(std::log10(value)));
+  return std::round(value * scale) / scale;
 }
 
 // Of the scene with all its bodies, also those that come in later.
@@ -154,7 +160,7 @@ std::string Session::add_body(double x, double y, std::optional<double> radius) 
   const double usual = model != nullptr ? std::get<Disc>(model->shape).radius
                        : preset.view    ? preset.view->width / 20.0
                                         : 0.1;
-  const Disc disc{radius ? *radius : usual * (0.5 + sizes_.generateDouble())};
+  const Disc disc{radius ? *radius : to_two_figures(usual * (0.5 + sizes_.generateDouble()))};
   Body body = new_body(history_.bodies(), disc, {x, y});
   body.id.number = preset.scene.ids_given + 1;
   const SceneEdits edits = {Add<Body>{body}};

@@ -18,8 +18,6 @@ const std::vector<double>& TransportBar::speeds() {
 }
 
 QString TransportBar::speed_text(double speed) {
-  if (speed == 0.25) return QStringLiteral("×¼");
-  if (speed == 0.5) return QStringLiteral("×½");
   if (speed < 1.0) return QStringLiteral("×1/%1").arg(std::lround(1.0 / speed));
   return QStringLiteral("×%1").arg(speed);
 }

@@ -31,7 +31,7 @@ class TransportBar : public QFrame {
   [[nodiscard]] static const std::vector<double>& speeds();
   // To a faster one of these, or a slower one.
   void change_speed(int steps);
-  // 1/4 as "×¼".
+  // A quarter as "×1/4".
   [[nodiscard]] static QString speed_text(double speed);
 
  signals:
