@@ -91,7 +91,7 @@ RunSummary run_and_summarize(const RunSetup& setup, const Method& method, double
   // continue with millions of impacts a step.
   const auto advance = [&](double to) {
     while (true) {
-      const double h = step_towards(to, s.time(), method.step);
+      const double h = s.next_step(to);
       if (h == 0.0) return;
       throw_if_cancelled(stop);
       s.step(h);

@@ -32,7 +32,7 @@ struct LateBody {
 
 template <class V>
 void fields(V& v, Is<LateBody> auto& late) {
-  v.required({"time", "when it comes in: at the end of the first step from here on"}, late.time, kMomentOfRun);
+  v.required({"time", "when it comes in"}, late.time, kMomentOfRun);
   v.required_object({"body", "as it is then, with the keys of a body"}, late.body);
 }
 

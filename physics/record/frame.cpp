@@ -122,15 +122,14 @@ class MomentReplay {
     bool cancelled = false;
     replay_.go_through([](const RunEdit&) {},
                        [&](const Simulation& s) {
-                         if (s.lost() || step_towards(time, s.time(), s.method().step) < s.method().step)
-                           return false;
+                         if (s.lost() || s.next_step(time) < s.next_step()) return false;
                          cancelled = !go_on(s.time());
                          return !cancelled;
                        },
                        [&](const Simulation& s) { keep_recent(impacts_, s.last_impacts(), s.time(), span_); });
     if (cancelled) return false;
     frame.impacts = impacts_;
-    const double left = step_towards(time, simulation.time(), simulation.method().step);
+    const double left = simulation.next_step(time);
     if (simulation.lost() || left == 0.0) {
       take(simulation, frame);
       return true;

@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace carom {
+namespace {
+
+// Whether the last step was shorter than the others, to the time of an edit: only a run with this edit comes
+// there.
+bool ends_at_edit(const RunClock& clock, double step) { return clock.steps > 0 && clock.origin_step != step; }
+
+}  // namespace
 
 void KeyFrames::take(const Simulation& simulation, const Sampler& sampler, double wall_time) {
   const bool at_edit = simulation.due() != nullptr;
@@ -38,9 +45,11 @@ std::shared_ptr<const KeyFrame> KeyFrames::go_back(const std::vector<RunEdit>& e
   const auto can_go_on = [&](const KeyFrame& frame) {
     if (frame.state.clock.time >= time) return false;
     if (frame.state.edits_applied > same || !frame.sampler.can_read(curves)) return false;
-    // The next one would not have been applied a step before.
-    return same == edits.size() ||
-           !is_due(edits[same], frame.state.clock.time - frame.state.method.step, frame.state.method.step);
+    const double step = frame.state.method.step;
+    if (same == edits.size()) return !ends_at_edit(frame.state.clock, step);
+    const double time_of_next = edits[same].time;
+    return !was_due_before(edits[same], frame.state.clock.time, step) &&
+           (time_of_next == frame.state.clock.time || !ends_at_edit(frame.state.clock, step));
   };
   const auto found =
       std::find_if(frames_.rbegin(), frames_.rend(), [&](const auto& frame) { return can_go_on(*frame); });

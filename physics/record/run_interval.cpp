@@ -21,15 +21,14 @@ class IntervalReplay {
     replay_.go_through(
         [this](const RunEdit& edit) { edited_ |= std::holds_alternative<SceneEdits>(edit.what); },
         [&](const Simulation& s) {
-          const double step = s.method().step;
-          if (s.lost() || step_towards(time, s.time(), step) < step) return false;
+          if (s.lost() || s.next_step(time) < s.next_step()) return false;
           cancelled = !go_on_();
           return !cancelled;
         },
         [this](const Simulation& s) { note(s); });
     if (cancelled) return false;
     at_.emplace(replay_.simulation());
-    const double left = step_towards(time, at_->time(), at_->method().step);
+    const double left = at_->next_step(time);
     if (left == 0.0) return true;
     at_->step(left);
     ahead_ = true;

@@ -23,6 +23,10 @@ bool is_due(const RunEdit& edit, double time, double step) {
                                                    : edit.time <= time + rounding;
 }
 
+bool was_due_before(const RunEdit& edit, double time, double step) {
+  return edit.time + kSameMoment * step < time;
+}
+
 bool state_belongs(const Scene& scene, const std::optional<SavedRun>& saved) {
   return saved && saved->fingerprint != 0 && saved->fingerprint == fingerprint(scene, saved->time);
 }

@@ -34,10 +34,12 @@ struct RunEdit {
   std::variant<Method, SceneEdits> what;
 };
 
-// Whether an edit is applied at `time` (s), the end of a step, in a run whose next step lasts `step` (s): a
-// scene changes at the first end of a step that is not before the edit's time; a method at the last one that is
-// not after it, so that it holds at once in a run that is on its way there.
+// Whether an edit is applied at `time` (s), the end of a step, in a run whose steps last `step` (s): a scene
+// changes at the edit's time, where a step ends (Simulation::next_step()); a method at the last end of a step
+// that is not after it, so that it holds at once in a run that is on its way there.
 [[nodiscard]] bool is_due(const RunEdit& edit, double time, double step);
+// Whether a run that stands at `time` (s) before its edits would have applied this one before.
+[[nodiscard]] bool was_due_before(const RunEdit& edit, double time, double step);
 // Whether both are one edit of a session, at one time.
 [[nodiscard]] inline bool is_same(const RunEdit& a, const RunEdit& b) {
   return a.id == b.id && a.time == b.time;

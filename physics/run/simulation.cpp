@@ -194,9 +194,20 @@ void Simulation::apply_all_due() {
   while (due() != nullptr) apply_due();
 }
 
+double Simulation::next_step() const {
+  double step = method().step;
+  for (std::size_t i = edits_applied_; i < edits_->size(); ++i) {
+    const RunEdit& edit = (*edits_)[i];
+    const auto* other = std::get_if<Method>(&edit.what);
+    if (!is_due(edit)) return other == nullptr ? step_towards(edit.time, time(), step) : step;
+    if (other != nullptr) step = other->step;
+  }
+  return step;
+}
+
 void Simulation::step() {
   apply_all_due();  // another method may have another step
-  step(parts_->world.method.step);
+  step(next_step());
 }
 
 void Simulation::step(double h) {

@@ -56,21 +56,26 @@ class Simulation {
   Simulation& operator=(Simulation&& other) noexcept;
   ~Simulation();
 
-  // One step of the method's length.
+  // One step of next_step() s.
   void step();
+  // s: the method's length, or less where an edit of the scene is due before its end, so that each has its own
+  // time. Edits that are due now are thought of as made.
+  [[nodiscard]] double next_step() const;
+  // s: of the step from now towards `time`; 0 at that time.
+  [[nodiscard]] double next_step(double time) const { return step_towards(time, this->time(), next_step()); }
   // A step of h > 0 s. Throws StepInterrupted (physics/step/step_work.h) if a stop was requested
   // (interrupt_on()); the simulation is then unusable. A run whose motion is lost is no error but a status: it
   // stays where it is, and a step does nothing.
   void step(double h);
   // Steps end early once a stop is requested.
   void interrupt_on(std::stop_token stop);
-  // Steps until `time`, with a last shorter step if needed, and calls after_step() after each. Whole steps
-  // keep time = start + k h without summing. Edits that are due at `time` are made too.
+  // Steps until `time`, with shorter steps to it and to edits where needed, and calls after_step() after each.
+  // Whole steps keep time = start + k h without summing. Edits that are due at `time` are made too.
   template <class AfterStep>
   void advance_to(double time, const AfterStep& after_step) {
     while (!lost_) {
       apply_all_due();
-      const double h = step_towards(time, this->time(), method().step);
+      const double h = next_step(time);
       if (h == 0.0) return;
       step(h);
       if (!lost_) after_step();

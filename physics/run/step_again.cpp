@@ -14,7 +14,7 @@ void StepAgain::begins(const Simulation& run, double h) {
     copy_ = run;
     steps_ = 0;
   }
-  whole_ = h == run.method().step;
+  whole_ = h == run.next_step();
 }
 
 Simulation StepAgain::made(double length) {

@@ -24,7 +24,7 @@ class StepAgain {
   std::optional<Simulation> copy_;   // some whole steps ago
   std::optional<Simulation> start_;  // of the step, once it was needed
   int steps_ = 0;                    // since the copy
-  bool whole_ = true;                // the step is of the method's length
+  bool whole_ = true;                // the step is of the length that it has without anybody's asking
 };
 
 }  // namespace carom

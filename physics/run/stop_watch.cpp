@@ -34,7 +34,7 @@ bool stays_at_rest(Simulation run) {
   run.set_edits({});
   const double end = run.time() + StopWatch::kRestLasts;
   while (!run.lost() && at_rest(run)) {
-    const double h = step_towards(end, run.time(), run.method().step);
+    const double h = run.next_step(end);
     if (h == 0.0) return true;
     run.step(h);
   }
@@ -138,7 +138,7 @@ std::optional<std::size_t> StopWatch::step(Simulation& run, double h) {
 }
 
 void StopWatch::begins(const Simulation& run) {
-  if (!watched_.empty()) begin(run, run.method().step);
+  if (!watched_.empty()) begin(run, run.next_step());
 }
 
 std::vector<MetStop> StopWatch::moments(const Simulation& run) {

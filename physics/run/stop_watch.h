@@ -42,7 +42,7 @@ class StopWatch {
   std::optional<std::size_t> advance_to(Simulation& run, double end, const AfterStep& after_step) {
     while (!run.lost()) {
       while (run.due() != nullptr) run.apply_due();
-      const double h = step_towards(end, run.time(), run.method().step);
+      const double h = run.next_step(end);
       if (h == 0.0) return std::nullopt;
       const std::optional<std::size_t> stop = step(run, h);
       if (!run.lost()) after_step();
@@ -51,8 +51,8 @@ class StopWatch {
     return std::nullopt;
   }
 
-  // Call before a step of the method's own length, with the edits that are due applied; and after it for all
-  // moments in this step, in their order. The state of one is that of a step of MetStop::part from its start.
+  // Call before a step of next_step() s, with the edits that are due applied; and after it for all moments in
+  // this step, in their order. The state of one is that of a step of MetStop::part from its start.
   void begins(const Simulation& run);
   [[nodiscard]] std::vector<MetStop> moments(const Simulation& run);
   // After the run was given other edits.

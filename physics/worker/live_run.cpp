@@ -62,9 +62,9 @@ bool LiveRun::take_edits(const std::vector<RunEdit>& edits) {
   const std::vector<RunEdit>& old = setup_->edits;
   const auto [mine, theirs] = std::mismatch(old.begin(), old.end(), edits.begin(), edits.end(), is_same);
   const auto same = static_cast<std::size_t>(mine - old.begin());
-  const double step = simulation_.method().step;
-  const bool of_its_past = same < simulation_.edits_applied() ||
-                           (theirs != edits.end() && is_due(*theirs, simulation_.time() - step, step));
+  const bool of_its_past =
+      same < simulation_.edits_applied() ||
+      (theirs != edits.end() && was_due_before(*theirs, simulation_.time(), simulation_.method().step));
   std::shared_ptr<const KeyFrame> moment;
   if (of_its_past) {
     if (catch_up_) return false;

@@ -53,7 +53,7 @@ class LiveRun {
   [[nodiscard]] double time() const { return simulation_.time(); }
   // s, end of the next step; infinite for a lost run.
   [[nodiscard]] double next() const {
-    return lost() ? std::numeric_limits<double>::infinity() : simulation_.time() + simulation_.method().step;
+    return lost() ? std::numeric_limits<double>::infinity() : simulation_.time() + simulation_.next_step();
   }
   [[nodiscard]] const RunSetup& setup() const { return *setup_; }
   // Another object whenever it has other edits.

@@ -1,6 +1,7 @@
 #include "physics/worker/past_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -106,7 +107,7 @@ bool PastRun::may_step(double time) const { return leads_to(time, next(), at_->s
 
 double PastRun::next() const {
   const Simulation& run = at_->simulation;
-  return run.lost() ? std::numeric_limits<double>::infinity() : run.time() + run.method().step;
+  return run.lost() ? std::numeric_limits<double>::infinity() : run.time() + run.next_step();
 }
 
 void PastRun::step() {
@@ -125,13 +126,16 @@ void PastRun::step() {
 
 void PastRun::make_part(double length, bool with_jumps_ahead) {
   if (length == 0.0) return;
+  const double start = at_->simulation.time();
+  double end = start + length;
+  if (end - start < length) end = std::nextafter(end, std::numeric_limits<double>::infinity());
   if (with_jumps_ahead) {
     Simulation whole = at_->simulation;
     whole.step();
     jumps_ahead_ = jump_moments(whole);
   }
   part_ = at_;
-  part_->simulation.step(length);
+  part_->simulation.step(end - start);
   if (part_->sampler && !part_->simulation.lost()) part_->sampler->after_step(part_->simulation);
 }
 

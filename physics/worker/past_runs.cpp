@@ -67,7 +67,7 @@ bool PastRuns::step_first() {
 // By a part of the first run's next step, or by the whole step.
 void PastRuns::go_to_impact() {
   const Simulation& first = runs_.front().simulation();
-  const double step = first.method().step;
+  const double step = first.next_step();
   const double part = *sought_->impact - first.time() - 0.5 * kSameMoment * step;
   const bool whole = !(part > 0.0 && part < (1.0 - kSameMoment) * step);
   if (!whole) sought_->part = part;
@@ -88,10 +88,7 @@ void PastRuns::make_parts() {
   if (sought_->part == 0.0) return;
   runs_.front().make_part(sought_->part, sought_->impact.has_value());
   const double time = runs_.front().shown().time();
-  for (PastRun& run : std::span(runs_).subspan(1)) {
-    const Simulation& at = run.simulation();
-    run.make_part(step_towards(time, at.time(), at.method().step));
-  }
+  for (PastRun& run : std::span(runs_).subspan(1)) run.make_part(run.simulation().next_step(time));
 }
 
 std::vector<std::shared_ptr<Frame>> PastRuns::frames() const {

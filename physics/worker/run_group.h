@@ -60,7 +60,8 @@ class RunGroup {
                                  std::stop_token token);
 
   // Goes on from an earlier moment of the runs that this edit has just left, instead of begin(): from the last
-  // end of a step that is not after `time` (s), or on the way there (replay_until). What was done to the runs
+  // end of a step that is not after `time` (s), or on the way there (replay_until). An edit of the scene that
+  // follows is made at that time. What was done to the runs
   // later is not done again, but `later`, edits of the preset, still come. Returns the frames of the kept runs
   // that nobody has taken.
   [[nodiscard]] Frames cut(EditId edit, double time, const std::vector<RunEdit>& later, std::stop_token token);
@@ -71,7 +72,7 @@ class RunGroup {
   [[nodiscard]] PastRuns& past() { return past_; }
   [[nodiscard]] const PastRuns& past() const { return past_; }
 
-  // Edits, from the displayed moment on. Nothing happens for a run that there is not.
+  // Edits, from the displayed moment on, to which the runs go. Nothing happens for a run that there is not.
   void add_run(const Method& method);  // at t = 0; at most kMostCompared besides the first
   void remove_run(std::size_t run);    // not the first
   void set_method(std::size_t run, const Method& method, EditId edit);
@@ -181,6 +182,7 @@ class RunGroup {
   void take_run(MethodAndEdits wanted, std::vector<Run>& old);
   void begin_run(MethodAndEdits wanted);
   [[nodiscard]] double displayed_time() const;
+  [[nodiscard]] double edited_time() const;
   [[nodiscard]] Run& farthest_behind();
   [[nodiscard]] static bool may_step(const Run& run, double time);
   void step(Run& run);
@@ -198,6 +200,7 @@ class RunGroup {
   std::map<std::uint64_t, EditLists> edit_lists_;  // by run
   std::map<EditId, Kept> kept_;
   std::optional<double> replay_until_;
+  double cut_at_ = 0.0;  // s, of the last cut
   std::uint64_t starts_ = 0;
   std::uint64_t start_ = 0;  // the one that the runs began from: its number among starts
   std::uint64_t ids_ = 0;

@@ -142,9 +142,10 @@ TEST(ComparedRuns, TakeBodiesAndMethodsAndGo) {
     EXPECT_EQ(frame->bodies->back().name, "new");
     EXPECT_EQ(frame->state.size(), static_cast<int>(frame->bodies->size()));
   }
-  // It came at the end of the first step that was not before.
+  // It came at its time, where a step ends.
   Simulation again(*window.frames[2]->setup);
   for (int i = 0; i < 17; ++i) again.step();
+  EXPECT_DOUBLE_EQ(again.time(), 0.5);
   EXPECT_EQ(again.bodies().size(), crowd().scene.bodies.size());
   ASSERT_NE(again.due(), nullptr);
   EXPECT_TRUE(std::holds_alternative<SceneEdits>(again.due()->what));

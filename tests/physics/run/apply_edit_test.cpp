@@ -230,8 +230,8 @@ TEST(EditOfARun, NoticesFollowTheirBodies) {
   EXPECT_NE(run.status(), "ok");
 }
 
-// Edits of a setup: a scene changes at the end of the first step that is not before, a method at the last one
-// that is not after.
+// Edits of a setup: a scene changes at its time, where a step ends, a method at the last end of a step that is
+// not after.
 TEST(EditOfARun, ComesAtItsTime) {
   RunSetup setup = test::setup_with({disc("a", {0.0, 0.0}, {1.0, 0.0})});
   setup.method.step = 0.1;
@@ -244,12 +244,30 @@ TEST(EditOfARun, ComesAtItsTime) {
   EXPECT_EQ(run.bodies().size(), 2U);
   run.advance_to(0.4);
   ASSERT_EQ(run.bodies().size(), 3U);
-  EXPECT_NEAR(run.state().position(2).x(), 0.1, 1e-15) << "it came at 0.3 s";
+  EXPECT_NEAR(run.state().position(2).x(), 0.15, 1e-15);
+  EXPECT_EQ(run.steps(), 5) << "to 0.1, 0.2, 0.25, 0.35 and 0.4 s";
   run.step();
   EXPECT_NEAR(run.time(), 0.41, 1e-15);
   EXPECT_EQ(run.method(), fine);
   EXPECT_EQ(run.edits_applied(), 3U);
   EXPECT_EQ(run.due(), nullptr);
+}
+
+// What comes in within a step flies from there: not from the step's end.
+TEST(EditOfARun, AFallBeginsAtItsTimeAtAnyStep) {
+  constexpr double kFrom = 0.3137;
+  RunSetup setup = test::setup_with({disc("early", {5.0, 0.0}, {0.0, 0.0})});
+  setup.scene.forces.gravity = {0.0, -9.81};
+  setup.edits = {{kFrom, 1, SceneEdits{Add<Body>{disc("late", {0.0, 0.0}, {1.0, 2.0})}}}};
+  for (const double step : {1.0 / 60.0, 0.01, 0.003}) {
+    setup.method.step = step;
+    Simulation run(setup);
+    run.advance_to(1.0);
+    const double t = 1.0 - kFrom;
+    EXPECT_NEAR(run.state().position(1).x(), t, 1e-14) << step;
+    EXPECT_NEAR(run.state().position(1).y(), 2.0 * t - 0.5 * 9.81 * t * t, 1e-14) << step;
+    EXPECT_NEAR(run.state().position(0).y(), -0.5 * 9.81, 1e-13) << step;
+  }
 }
 
 }  // namespace

@@ -197,6 +197,37 @@ TEST_F(WorkerPast, ACutKeepsTheEditsOfThePreset) {
   EXPECT_EQ(newest_at(50).front()->bodies->size(), gas().scene.bodies.size() + 1);
 }
 
+// All runs come to the edit's own time, within their steps, and go on from there.
+TEST_F(WorkerPast, AnEditAfterACutIsMadeWhereItCut) {
+  record_run();
+  const double time = recorded_[20].front()->time + 0.0017;
+  for (const bool at_once : {true, false}) {
+    const Worker::EditId edit = worker_.keep_runs();
+    worker_.cut(edit, time, {});
+    if (!at_once) {
+      EXPECT_TRUE(same_moment(*newest_at(20).front(), *recorded_[20].front()));
+    }
+    worker_.edit_scene({Add<Body>{kBody}});
+    const Frames edited = newest_at(21);
+    for (const auto& frame : edited) {
+      EXPECT_EQ(frame->time, time);
+      ASSERT_EQ(frame->setup->edits.size(), 1U);
+      EXPECT_EQ(frame->setup->edits.front().time, time);
+      EXPECT_EQ(frame->bodies->size(), gas().scene.bodies.size() + 1);
+    }
+    const Frames cut = shown({time - 0.001});
+    for (std::size_t i = 0; i < cut.size(); ++i) {
+      Simulation again(*edited[i]->setup);
+      again.advance_to(time);
+      EXPECT_TRUE(test::same_bytes(again.state(), edited[i]->state)) << i;
+      EXPECT_LT(cut[i]->time, time) << i;
+      EXPECT_EQ(cut[i]->bodies->size(), gas().scene.bodies.size()) << i;
+    }
+    worker_.return_to(edit, {}, ReferenceId::kExactFlight);
+    expect_same(newest_at(recorded_.back().front()->steps), recorded_.back());
+  }
+}
+
 // A ball in free fall, h = 0.02 s: explicit Euler is g h t / 2 behind at the steps' ends, and moves straight on
 // within a step.
 TEST_F(WorkerPast, TheErrorIsThatOfTheMomentWithinAStep) {
