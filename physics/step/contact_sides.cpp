@@ -24,6 +24,11 @@ const Corner* corner_at(const ConvexShapes& shapes, ShapeIndex part, const Vec2&
   return found == end ? nullptr : found;
 }
 
+const Corner& corner_before(const ConvexShapes& shapes, ShapeIndex part, const Corner& corner) {
+  const Corner* first = shapes.corners_of(part);
+  return &corner == first ? first[shapes.corners[part] - 1] : *(&corner - 1);
+}
+
 ContactSides sides_of(const World& world, const FoundContacts& found, int i) {
   const Geometry& g = world.shapes();
   const BodyIndex a = found.contacts.a[i];

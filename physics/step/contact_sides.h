@@ -38,6 +38,8 @@ inline constexpr double kOnFace = 1e-7;
 // The corner of a part without rounding that is within `near` m of this point of its frame; else null.
 [[nodiscard]] const Corner* corner_at(const ConvexShapes& shapes, ShapeIndex part, const Vec2& point,
                                       double near);
+// The one before it around the part: the face that comes to this corner is its.
+[[nodiscard]] const Corner& corner_before(const ConvexShapes& shapes, ShapeIndex part, const Corner& corner);
 
 // m: the sizes of both.
 [[nodiscard]] inline double sizes(const World& world, BodyIndex a, BodyIndex b) {

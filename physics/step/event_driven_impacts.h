@@ -77,6 +77,7 @@ class EventDrivenImpacts {
   // Adds to moment_ what closes at the end of all trajectories, behind which nothing is scheduled, if contacts
   // connect it with this impact.
   void add_unscheduled(const Step& step, const Event& first);
+  bool find_of_clay(World& world, BodyIndex a, BodyIndex b, double time);
   void find_due(const Step& step, BodyIndex a, BodyIndex b, double time);
   [[nodiscard]] static double end_of_moment(const Step& step, const Event& impact, double time);
   // s after the epoch: until when impacts are at the moment that has disturbed supports; infinite without one.

@@ -65,9 +65,8 @@ void add_faces_beside(const World& world, const FoundContacts& found, int i, con
   const Vec2 point = found.point[static_cast<std::size_t>(i)];
   const Corner* corner = corner_at(g.shapes, side.part, side.of_part(point), kAtCorner * size);
   if (corner == nullptr) return;
-  const Corner* first = g.shapes.corners_of(side.part);
-  const Corner* before = corner == first ? first + g.shapes.corners[side.part] - 1 : corner - 1;
-  const bool as_along_a_curve = corner->normal.dot(before->normal) > std::cos(kLeastCorner);
+  const Corner& before = corner_before(g.shapes, side.part, *corner);
+  const bool as_along_a_curve = corner->normal.dot(before.normal) > std::cos(kLeastCorner);
   const Vec2 vertex = side.pose.position + side.pose.turned(corner->vertex);
   const auto look = [&](BodyIndex body) {
     g.each_part(body, [&](ShapeIndex part) {
@@ -206,9 +205,8 @@ bool leaves_corner(const World& world, const FoundContacts& found, int i, const 
     if (is_round(shapes, side.part)) return true;
     const Corner* corner = corner_at(shapes, side.part, side.of_part(point), near);
     if (corner == nullptr) return false;
-    const Corner* first = shapes.corners_of(side.part);
-    const Corner* before = corner == first ? first + shapes.corners[side.part] - 1 : corner - 1;
-    if (h * std::max(side.pose.turned(corner->normal).dot(away), side.pose.turned(before->normal).dot(away)) <=
+    const Corner& before = corner_before(shapes, side.part, *corner);
+    if (h * std::max(side.pose.turned(corner->normal).dot(away), side.pose.turned(before.normal).dot(away)) <=
         near)
       return false;
     ContactSide past = side;

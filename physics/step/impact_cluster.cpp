@@ -163,7 +163,14 @@ ClusterOutcome ImpactCluster::solve(World& world, ClusterRestitution restitution
   }
   after_ = before_;
   impacts_.assign(contacts_.size(), Impact{});
-  return resolve_simultaneous(after_, answers_, contacts_, restitution, impacts_, scratch_);
+  const ClusterOutcome outcome =
+      resolve_simultaneous(after_, answers_, contacts_, restitution, impacts_, scratch_);
+  double largest = 0.0;
+  for (const Impact& impact : impacts_) largest = std::max(largest, impact.normal);
+  for (Impact& impact : impacts_) {
+    if (impact.normal <= kRounding * largest) impact = {};  // what only touches takes no part
+  }
+  return outcome;
 }
 
 // Changes the motions by the impulses. False if a string would have to push: it is slack from then on.

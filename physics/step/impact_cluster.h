@@ -64,6 +64,13 @@ class ImpactCluster {
   void add(BodyIndex a, BodyIndex b, const Contact& contact) { touches_.push_back({a, b, contact}); }
   [[nodiscard]] std::span<const Touch> touches() const { return touches_; }
   [[nodiscard]] std::span<Touch> touches() { return touches_; }
+  // Keeps the touches for which takes(contact, a, b) is true and that bodies which move connect with a or b.
+  template <class Takes>
+  void keep_connected_of(const World& world, BodyIndex a, BodyIndex b, const Takes& takes) {
+    std::erase_if(touches_, [&](const Touch& t) { return !takes(t.contact, t.a, t.b); });
+    keep_connected(world, a, b, touches_);
+    drop_doubles(world);
+  }
   // Keeps the touches that close, and none that closes much slower than others: it is another impact's, or
   // rounding. With velocities `motion(body)`.
   template <class MotionOf>

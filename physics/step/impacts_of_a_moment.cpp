@@ -167,6 +167,23 @@ void EventDrivenImpacts::find_closing(const Step& step, BodyIndex a, BodyIndex b
   }
 }
 
+// Impacts without restitution and friction set each other off without end, halving what is left: each is a
+// projection of the velocities, in the metric of the masses, onto those that keep its pair apart. One after the
+// other they lead to the projection onto those that keep all pairs apart (J. von Neumann, Functional Operators
+// II, 1950), which is what they do at once. Fills cluster_ with the touches of this kind that are connected
+// with the pair; false if there are no several, or too many.
+bool EventDrivenImpacts::find_of_clay(World& world, BodyIndex a, BodyIndex b, double time) {
+  const auto of_clay = [&world](const Contact& contact, BodyIndex c, BodyIndex d) {
+    const SurfaceLaw& law = world.material(contact, c, d);
+    return law.restitution == 0.0 && law.tangential_restitution == 0.0 && law.kinetic_friction == 0.0 &&
+           !law.sticks;
+  };
+  if (at_once_work_ > kMostWork || !of_clay({}, a, b)) return false;
+  find_touching(world, a, b, time, 1.0);
+  cluster_.keep_connected_of(world, a, b, of_clay);
+  return cluster_.touches().size() <= kMostTogether && cluster_.has_several(world);
+}
+
 void EventDrivenImpacts::find_due(const Step& step, BodyIndex a, BodyIndex b, double time) {
   World& world = step.world;
   due_.clear();
@@ -196,7 +213,7 @@ std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, BodyIn
   const bool all = takes_touches(world);
   if (all) {
     find_touching(world, a, b, time, 1.0);
-  } else {
+  } else if (!find_of_clay(world, a, b, time)) {
     find_closing(step, a, b, time);
   }
   if (cluster_.touches().size() < 2) return std::nullopt;

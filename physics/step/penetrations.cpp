@@ -1,6 +1,8 @@
 #include "physics/step/penetrations.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -8,7 +10,6 @@
 
 #include "physics/step/apply_impact.h"
 #include "physics/step/contact_patch.h"
-#include "physics/step/hits_in_order.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/neighbours.h"
 #include "physics/step/pair_motion.h"
@@ -20,6 +21,9 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // Whose pushes add up.
 constexpr std::size_t kFewNeighbours = 5;
+constexpr double kFewSteps = 4.0;
+// Rounds of impacts in a step.
+constexpr int kMostRounds = 16;
 
 // The deepest point (m) of a part against this direction.
 Vec2 lowest_point(const ConvexShapes& shapes, ShapeIndex part, const Pose& pose, const Vec2& direction) {
@@ -81,23 +85,38 @@ Approach overlap_of(const World& world, BodyIndex a, BodyIndex b, const ShapePai
 // Whether two parts close and have overlapped before now: what comes to touch at the step's end, to rounding,
 // or closes from then on by another's impact, meets in the next step. So the order of impacts does not hang on
 // rounding.
-bool has_met(const Approach& at, double h) {
-  return at.contact.gap < 0.0 && at.speed < 0.0 && at.contact.gap < kSameMoment * h * at.speed;
+bool has_met(const Approach& at, double h, double tolerance) {
+  return at.speed < 0.0 && at.contact.gap < std::min(kSameMoment * h * at.speed, -tolerance);
 }
 
-// The pairs that overlap and close, where a body that moves is in several of them; with these also what
-// touches, if the scene says so.
+// Whether two parts close faster than gravity presses bodies together in a few steps.
+bool is_true_impact(const World& world, BodyIndex a, BodyIndex b, const Contact& contact, double h) {
+  double least = kFewSteps * h * world.model->forces.gravity.norm();  // m/s
+  for (const BodyIndex i : {a, b}) {
+    const Motion motion = world.trajectories.at_start(i);
+    least += 16.0 * kEpsilon * (motion.segment<2>(3).norm() + std::abs(motion[5]) * world.shapes().size[i]);
+  }
+  return -world.parting_speed(a, b, contact) > least;
+}
+
+// The pairs that overlap and close, where a body that moves is in several of them: all, or those that the
+// impacts of struck bodies have set off. With
+// these also what touches, if the scene says so.
 void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighbours& neighbours, double h,
-               std::vector<Hit>& hits) {
+               const std::vector<bool>* struck, std::vector<Hit>& hits) {
   hits.clear();
   const auto has_others = [&](BodyIndex body) {
     return !world.infinite_mass(body) && neighbours.of(body).size() > 1;
   };
+  const auto is_struck = [&](BodyIndex body) { return (*struck)[static_cast<std::size_t>(body)]; };
   for (const auto& [a, b, resting] : pairs) {
+    if (struck != nullptr && !is_struck(a) && !is_struck(b)) continue;
     if (resting || !world.can_collide(a, b) || (!has_others(a) && !has_others(b))) continue;
     world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
       const Approach at = overlap_of(world, a, b, {part_a, part_b}, neighbours);
-      if (has_met(at, h)) hits.push_back({a, b, at.contact, -at.contact.gap / at.speed});
+      if (has_met(at, h, touch_tolerance(world, a, b)) &&
+          (struck == nullptr || is_true_impact(world, a, b, at.contact, h)))
+        hits.push_back({a, b, at.contact, -at.contact.gap / at.speed});
     });
   }
   if (!takes_touches(world) || hits.empty()) return;
@@ -106,7 +125,7 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighb
     world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
       const double tolerance = touch_tolerance(world, a, b);
       const Approach at = world.approach(a, b, tolerance, {part_a, part_b});
-      if (at.contact.gap <= tolerance && !has_met(at, h)) hits.push_back({a, b, at.contact, 0.0});
+      if (at.contact.gap <= tolerance && !has_met(at, h, tolerance)) hits.push_back({a, b, at.contact, 0.0});
     });
   }
 }
@@ -149,53 +168,71 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
   const ForceField& field = world.field();
   double& correction = world.sums.ledger.penetration_correction;
   const double now = world.clock.step_end - trajectories.epoch();
-  find_hits(world, pairs, neighbours, h, scratch.at_once.hits);
-  resolve_at_once(world, scratch.at_once, h, now);
   // Each push changes the energy of attraction to all bodies: for many pairs the sum is taken once.
   const bool all_at_once = field.attracts() && world.model->joint_terms.all.empty() &&
                            !world.model->surfaces.stick && pairs.size() > world.model->bodies();
-  if (all_at_once) correction -= field.potential_energy(world.state.q);
-  scratch.pushes.clear();
-  if (scratch.pushes.capacity() < pairs.size()) scratch.pushes.reserve(2 * pairs.size());
-  // Of two parts.
-  const auto strike = [&](const WaitingPair& pair, const ShapePair& parts) {
+  // Two parts of a pair, if they penetrate; the contact at which they are to be moved apart.
+  const auto strike = [&](const WaitingPair& pair, const ShapePair& parts) -> std::optional<Contact> {
     const auto [a, b, resting] = pair;
-    if (!world.can_collide(a, b)) return;  // one body by now
+    if (!world.can_collide(a, b)) return std::nullopt;  // one body by now
     Approach at = overlap_of(world, a, b, parts, neighbours);
-    const double gap = at.contact.gap;
-    if (gap >= 0.0 || (!resting && at.speed < 0.0 && !has_met(at, h))) return;
-    const Vec2 normal = at.contact.normal;
+    const Contact contact = at.contact;
+    if (contact.gap >= 0.0 || (!resting && at.speed < 0.0 && !has_met(at, h, touch_tolerance(world, a, b))))
+      return std::nullopt;
 
     // Bodies with corners may penetrate at two points: one impact for the middle, then one for the point that
     // still approaches.
     const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
     for (int k = 0; k < most; ++k) {
-      if (k > 0) at = world.approach(a, b, -gap, parts);
-      if (at.contact.normal != normal) break;  // there a neighbour continues the surface
-      if (!(at.speed < (k == 0 ? 0.0 : -16.0 * kEpsilon * at.scale))) break;
+      if (k > 0) at = world.approach(a, b, -contact.gap, parts);
+      if (at.contact.normal != contact.normal) break;  // there a neighbour continues the surface
+      if (!(at.speed < -16.0 * kEpsilon * at.scale)) break;
       SurfaceLaw material = world.material(at.contact, a, b);
       // A closing speed from the forces of this step must not bounce; a true impact on a resting pair must.
       if (resting && -at.speed <= pressed_in(world, a, b, h)) material.restitution = 0.0;
       const ImpactEffect of_pair =
           apply_impact(world, a, b, pressed_contact(world, a, b, at.contact), material, now);
       effect = std::max(effect, of_pair);
-      if (of_pair == ImpactEffect::kJoined) return;
+      if (of_pair == ImpactEffect::kJoined) return std::nullopt;
     }
+    return contact;
+  };
+  const auto strike_alone = [&](const Hit& hit) {
+    if (!is_true_impact(world, hit.a, hit.b, hit.contact, h)) return;
+    strike({hit.a, hit.b, false}, world.shapes().parts_or_first(hit.contact.parts, hit.a, hit.b));
+  };
+  scratch.struck.assign(static_cast<std::size_t>(world.bodies()), false);
+  std::vector<Hit>& hits = scratch.in_order.hits;
+  for (int round = 1; round <= kMostRounds; ++round) {
+    find_hits(world, pairs, neighbours, h, round == 1 ? nullptr : &scratch.struck, hits);
+    if (hits.empty()) break;
+    for (const Hit& hit : hits) {
+      if (!is_true_impact(world, hit.a, hit.b, hit.contact, h)) continue;
+      for (const BodyIndex body : {hit.a, hit.b})
+        scratch.struck[static_cast<std::size_t>(body)] = !world.infinite_mass(body);
+    }
+    // By reference: a step allocates nothing.
+    resolve_in_order(world, scratch.in_order, h, now, std::cref(strike_alone));
+  }
 
+  if (all_at_once) correction -= field.potential_energy(world.state.q);
+  scratch.pushes.clear();
+  if (scratch.pushes.capacity() < pairs.size()) scratch.pushes.reserve(2 * pairs.size());
+  for (const WaitingPair& pair : pairs) {
+    const auto [a, b, resting] = pair;
+    world.work.pass(1);
+    if (!world.can_collide(a, b)) continue;
     const double share = world.mass().inverse_mass[a] + world.mass().inverse_mass[b];
     const double part = resting ? 1.0 : kPenetrationFraction * crowding(world, neighbours, a, b);
-    const Push push{a, b, part * -gap / share * normal};
-    if (resting) {
-      move_apart(world, push, !all_at_once);
-    } else {
-      scratch.pushes.push_back(push);
-    }
-  };
-  for (const WaitingPair& pair : pairs) {
-    world.work.pass(1);
-    if (!world.can_collide(pair.a, pair.b)) continue;
-    world.shapes().each_parts(pair.a, pair.b, [&](ShapeIndex part_a, ShapeIndex part_b) {
-      strike(pair, ShapePair{part_a, part_b});
+    world.shapes().each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
+      const std::optional<Contact> contact = strike(pair, {part_a, part_b});
+      if (!contact) return;
+      const Push push{pair.a, pair.b, part * -contact->gap / share * contact->normal};
+      if (pair.resting) {
+        move_apart(world, push, !all_at_once);
+      } else {
+        scratch.pushes.push_back(push);
+      }
     });
   }
   for (const Push& push : scratch.pushes) move_apart(world, push, !all_at_once);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "physics/step/hits_at_once.h"
+#include "physics/step/hits_in_order.h"
 #include "physics/step/neighbours.h"
 #include "physics/step/pair_list.h"
 #include "physics/step/world.h"
@@ -24,15 +24,17 @@ struct Push {
 // Buffers for resolve_penetrations().
 struct PenetrationScratch {
   Neighbours neighbours;
-  HitsAtOnce at_once;
+  HitsInOrder in_order;
+  std::vector<bool> struck;  // by body
   std::vector<Push> pushes;
 };
 
-// At the end of a step of h s: pairs that have met at one moment and share bodies get their impulses at once
-// (hits_at_once.h). Then, in the order of the list, each pair that penetrates gets its impulse if it closes; a
-// resting one is moved apart completely, by inverse mass, and last all others by kPenetrationFraction, or less
-// in a crowd. The state must be published; its positions are updated. The result is the largest effect of the
-// impacts.
+// At the end of a step of h s: pairs that penetrate and close get their impulses in the order in which they
+// met, those of one moment that share bodies at once (hits_in_order.h), and in the next round so do those that
+// these set off: the order of the list decides nothing. It does in the end, where what still closes, mostly by
+// gravity, gets its impulse, and resting pairs do. These are moved apart completely, by inverse mass, and last
+// all others by kPenetrationFraction, or less in a crowd. The state must be published; its positions are
+// updated. The result is the largest effect of the impacts.
 [[nodiscard]] ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs,
                                                 PenetrationScratch& scratch, double h);
 

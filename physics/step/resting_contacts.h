@@ -13,7 +13,7 @@
 #include "physics/step/contact_turning.h"
 #include "physics/step/face_ends.h"
 #include "physics/step/gauss_contacts.h"
-#include "physics/step/hits_at_once.h"
+#include "physics/step/hits_in_order.h"
 #include "physics/step/world.h"
 
 namespace carom {
@@ -116,7 +116,7 @@ class RestingContacts {
   Eigen::Matrix3Xd before_, after_, free_;  // velocities, m/s and rad/s
   Eigen::Matrix3Xd moved_;                  // m, rad; or per s
   std::vector<std::uint8_t> sticks_;
-  HitsAtOnce at_once_;
+  HitsInOrder in_order_;
   GaussContacts linear_;
   std::vector<TouchNearEnd> near_ends_;
   std::vector<std::uint8_t> struck_;  // by body, in this step

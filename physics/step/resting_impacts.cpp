@@ -9,7 +9,6 @@
 #include "physics/step/apply_impact.h"
 #include "physics/step/coming_to_rest.h"
 #include "physics/step/contact_patch.h"
-#include "physics/step/hits_in_order.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 #include "physics/step/resting_contacts.h"
@@ -21,8 +20,8 @@ namespace {
 
 // Rounds of impacts in a step where they are not located in time. From kListed on also in the order of the
 // list, in which impulses go farther in one round.
-constexpr int kMostStrikes = 16;
-constexpr int kListed = 8;
+constexpr int kMostStrikes = 24;
+constexpr int kListed = 16;
 // Relative to the smaller body: less is left to the impacts at the step's end.
 constexpr double kMovedIn = 1e-5;
 
@@ -146,7 +145,7 @@ void RestingContacts::strike(World& world, double h) {
   };
   bool any = true;
   for (int round = 1; any && round <= kMostStrikes; ++round) {
-    std::vector<Hit>& hits = at_once_.hits;
+    std::vector<Hit>& hits = in_order_.hits;
     hits.clear();
     each_pair(round, [&](BodyIndex a, BodyIndex b) {
       world.shapes().each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
@@ -173,7 +172,7 @@ void RestingContacts::strike(World& world, double h) {
     const auto strike_alone = [&](const Hit& hit) {
       strike_parts(hit.a, hit.b, world.shapes().parts_or_first(hit.contact.parts, hit.a, hit.b));
     };
-    resolve_in_order(world, at_once_, h, 0.0, std::cref(strike_alone));
+    resolve_in_order(world, in_order_, h, 0.0, std::cref(strike_alone));
     if (round < kListed) continue;
     each_pair(round, [&](BodyIndex a, BodyIndex b) {
       world.shapes().each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {

@@ -1,11 +1,10 @@
-#include "physics/step/hits_at_once.h"
+#include "physics/step/hits_in_order.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <tuple>
 
-#include "physics/step/hits_in_order.h"
 #include "physics/step/run_clock.h"
 
 namespace carom {
@@ -41,7 +40,7 @@ bool resolve(World& world, ImpactCluster& cluster, const std::vector<Hit>& toget
 
 }  // namespace
 
-void resolve_in_order(World& world, HitsAtOnce& buffers, double h, double within,
+void resolve_in_order(World& world, HitsInOrder& buffers, double h, double within,
                       const std::function<void(const Hit&)>& resolve_alone) {
   const bool all = takes_touches(world);
   const double same = all ? std::numeric_limits<double>::infinity() : kSameMoment * h;
@@ -58,10 +57,6 @@ void resolve_in_order(World& world, HitsAtOnce& buffers, double h, double within
       for (const Hit& hit : together) resolve_alone(hit);
     }
   }
-}
-
-void resolve_at_once(World& world, HitsAtOnce& buffers, double h, double within) {
-  resolve_in_order(world, buffers, h, within, [](const Hit&) {});
 }
 
 }  // namespace carom
