@@ -12,8 +12,10 @@
 namespace carom {
 namespace {
 
-// Rounds in which contacts change their mode at the start.
+// Rounds in which contacts change their mode at the start; more where they may be at the limit of static
+// friction before they slip.
 constexpr int kMostModes = 4;
+constexpr int kMostModesAtLimits = 8;
 // Of a step: parts that begin and end at one time differ by less.
 constexpr double kSameTime = 1e-9;
 
@@ -92,7 +94,12 @@ void GaussContacts::move_contacts(int from, int to) {
 // Finds modes that hold from the start until `least` or longer, and their forces. `ends` becomes no later than
 // they do.
 bool GaussContacts::settle(const GaussStep& step, double least, double& ends) {
-  for (int round = 0; round < kMostModes; ++round) {
+  const Contacts& found = step.found.contacts;
+  const bool have_limits = std::any_of(island_.contacts().begin(), island_.contacts().end(), [&](int i) {
+    return found.static_friction[i] > found.kinetic_friction[i];
+  });
+  const int most = have_limits ? kMostModesAtLimits : kMostModes;
+  for (int round = 0; round < most; ++round) {
     if (!island_.solve(step)) return false;
     double until = step.h;
     if (change_modes(step, island_, until)) continue;
@@ -111,7 +118,7 @@ void GaussContacts::enter(const GaussStep& step) {
     found.normal_impulse[c.contact] = 0.5 * step.h * (c.at[0].normal_force + c.at[1].normal_force);
     found.tangential_impulse[c.contact] = 0.5 * step.h * (c.at[0].tangential_force + c.at[1].tangential_force);
     found.normal[c.contact] = (c.at[0].normal + c.at[1].normal).normalized();
-    found.sticks[c.contact] = c.sticks ? 1 : 0;
+    found.sticks[c.contact] = c.sticks || c.at_limit ? 1 : 0;
     if (c.presses) all_.push_back(c);
   }
 }

@@ -111,6 +111,11 @@ bool find_contact(const World& world, BodyIndex a, const Motion& ya, BodyIndex b
   return true;
 }
 
+double friction_of(const GaussStep& step, const GaussContact& c) {
+  const Contacts& found = step.found.contacts;
+  return c.at_limit ? found.static_friction[c.contact] : found.kinetic_friction[c.contact];
+}
+
 double closed_within(const GaussStep& step, const GaussContact& c) {
   const double size = step.world.shapes().size[c.a] + step.world.shapes().size[c.b];
   return std::max(step.tolerance * step.h, 8.0 * kEpsilon * (c.at[0].point.lpNorm<1>() + size));
@@ -226,6 +231,8 @@ bool GaussIsland::start(const GaussStep& step, GaussContact& c) const {
     if (!c.sticks || past.a != c.a || past.b != c.b || past.id != id) continue;
     c.sticks = false;
     c.slips = past.slips;
+    c.at_limit =
+        step.found.contacts.static_friction[c.contact] > step.found.contacts.kinetic_friction[c.contact];
   }
   return true;
 }
@@ -237,7 +244,7 @@ bool GaussIsland::is_needed(const GaussStep& step) const {
     if (!c.presses || !rubs(step, c)) return false;
     const Contacts& found = step.found.contacts;
     if (c.sticks) return found.sticks[c.contact] == 0;
-    const double full = found.kinetic_friction[c.contact] * found.normal_impulse[c.contact];
+    const double full = friction_of(step, c) * found.normal_impulse[c.contact];
     return std::abs(found.tangential_impulse[c.contact] + c.slips * full) > kFull * full;
   };
   const auto may_rub = [&](const GaussContact& c) { return c.presses && rubs(step, c); };
@@ -350,8 +357,7 @@ void GaussIsland::build(const GaussStep& step) {
   matrix_.setZero(rows_, rows_);
   for (const GaussContact& c : closed_) {
     if (!c.presses) continue;
-    add_column(step, c, c.row, 1.0,
-               c.sticks ? 0.0 : -c.slips * step.found.contacts.kinetic_friction[c.contact]);
+    add_column(step, c, c.row, 1.0, c.sticks ? 0.0 : -c.slips * friction_of(step, c));
     if (c.holds) add_column(step, c, c.row + 1, 0.0, 1.0);
   }
   if (rows_ > 0) solver_.compute(matrix_);
@@ -412,8 +418,7 @@ void GaussIsland::correct(const GaussStep& step) {
       if (c.holds) {
         at.tangential_force += change_(c.row + 1, point);
       } else {
-        at.tangential_force =
-            c.sticks ? 0.0 : -c.slips * step.found.contacts.kinetic_friction[c.contact] * at.normal_force;
+        at.tangential_force = c.sticks ? 0.0 : -c.slips * friction_of(step, c) * at.normal_force;
       }
     }
   }

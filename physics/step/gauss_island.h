@@ -62,6 +62,7 @@ struct GaussContact {
   bool sticks = false;
   bool holds = false;       // it has the tangential force of all that stick on its face
   double slips = 0.0;       // σ, if it presses, rubs and does not stick
+  bool at_limit = false;    // not sticking, static friction is full, and others may hold it still
   double stays_open = 0.0;  // m: the gap that it is to have at the end
   double breaks_at = 0.0;   // s, if above 0: when it breaks away
   double breaks_to = 0.0;   // σ from then on
@@ -131,6 +132,8 @@ class GaussIsland {
 // body by another edge, the one nearest to touching. False if there is none.
 bool find_contact(const World& world, BodyIndex a, const Motion& ya, BodyIndex b, const Motion& yb,
                   std::uint32_t id, Contact& contact, RowVelocity& velocity);
+// That of a contact that does not stick.
+[[nodiscard]] double friction_of(const GaussStep& step, const GaussContact& c);
 // m: of a contact, smaller gaps are rounding.
 [[nodiscard]] double closed_within(const GaussStep& step, const GaussContact& c);
 

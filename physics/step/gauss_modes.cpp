@@ -124,11 +124,12 @@ bool change_modes(const GaussStep& step, GaussIsland& island, double& ends) {
     const double second = c.at[1].normal_force;
     enter(part_held(first, second, rounding), [&] { c.presses = false; });
     if (!c.presses || step.found.contacts.kinetic_friction[c.contact] == 0.0) continue;
-    const auto stick = [&](bool sticks, double slips) {
+    const auto set_face = [&](bool sticks, double slips, bool at_limit) {
       for (GaussContact& other : island.closed()) {
         if (other.face != c.face) continue;
         other.sticks = sticks;
         other.slips = slips;
+        other.at_limit = at_limit;
       }
     };
     if (c.holds) {
@@ -136,12 +137,17 @@ bool change_modes(const GaussStep& step, GaussIsland& island, double& ends) {
       for (const double sign : {1.0, -1.0}) {
         const double part = part_held(most[0] - sign * c.at[0].tangential_force,
                                       most[1] - sign * c.at[1].tangential_force, rounding);
-        enter(part, [&] { stick(false, -sign); });
+        // The body may still be held by others: kinetic friction acts where it does slip.
+        const bool larger =
+            step.found.contacts.static_friction[c.contact] > step.found.contacts.kinetic_friction[c.contact];
+        enter(part, [&] { set_face(false, -sign, larger); });
         if (part < 1.0) island.note_break(c.face, part * step.h, -sign);
       }
     } else if (const double wrong = c.sticks ? 0.0 : slips_back(step, c); wrong > 0.0) {
       const bool slid = c.slips * c.start.slip > step.slip_speed;
-      enter(slid ? slip_ends(step, c, wrong) / step.h : 0.0, [&] { stick(true, 0.0); });
+      enter(slid ? slip_ends(step, c, wrong) / step.h : 0.0, [&] { set_face(true, 0.0, false); });
+    } else if (c.at_limit && c.slips * c.end.slip > kSeen * step.tolerance) {
+      enter(0.0, [&] { set_face(false, c.slips, false); });
     }
   }
   return changed;

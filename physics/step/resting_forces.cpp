@@ -17,6 +17,8 @@ namespace {
 
 // Of what presses a contact in a step: the contact forces end slower approaches of supported contacts.
 constexpr double kGentle = 0.1;
+// Times the tolerance of the velocities: contacts that slip.
+constexpr double kSlips = 4.0;
 // Guesses of the contact forces in a step, until the flight under them has end velocities that are off by at
 // most kGuessed of the change of a speed by forces.
 constexpr int kMostGuesses = 6;
@@ -90,6 +92,11 @@ ContactSolverReport RestingContacts::solve(const World& world, const Eigen::Matr
                                            const ContactSolverOptions& options) {
   Contacts& c = found_.contacts;
   sticks_ = c.sticks;
+  // At its limit, while others hold its bodies.
+  const auto is_still = [&](int i) {
+    return std::abs(contact_velocity(c, i, after_).tangential) <= kSlips * options.tolerance;
+  };
+  const bool few = c.size() <= kFewContactsOfScene;
   ContactSolverReport report;
   for (int round = 0; round < kMostBreaks; ++round) {
     after_ = from;
@@ -99,7 +106,7 @@ ContactSolverReport RestingContacts::solve(const World& world, const Eigen::Matr
     for (int i = 0; i < c.size(); ++i) {
       const auto k = static_cast<std::size_t>(i);
       if (sticks_[k] == 0 || c.sticks[k] != 0 || !(c.static_friction[k] > c.kinetic_friction[k])) continue;
-      if (!(c.normal_impulse[k] > 0.0)) continue;
+      if (!(c.normal_impulse[k] > 0.0) || (few && is_still(i))) continue;
       sticks_[k] = 0;
       breaks = true;
     }

@@ -20,8 +20,8 @@ namespace {
 
 // Rounds of impacts in a step where they are not located in time. From kListed on also in the order of the
 // list, in which impulses go farther in one round.
-constexpr int kMostStrikes = 24;
-constexpr int kListed = 16;
+constexpr int kMostStrikes = 16;
+constexpr int kListed = 8;
 // Relative to the smaller body: less is left to the impacts at the step's end.
 constexpr double kMovedIn = 1e-5;
 

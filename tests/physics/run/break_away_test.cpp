@@ -1,0 +1,123 @@
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "physics/run/simulation.h"
+#include "tests/support/scenes.h"
+
+// Static friction at several contacts that hold one body, or one row of bodies, under a force that grows: it
+// gives way when all are at their limits, not when the first one is.
+namespace carom {
+namespace {
+
+constexpr double kG = 9.81;
+constexpr double kStatic = 0.5;
+constexpr double kKinetic = 0.3;
+
+// The velocity and the way of a mass (kg) at `time` (s) whose force grows by `rate` (N/s).
+struct Slid {
+  double speed = 0.0;  // m/s
+  double way = 0.0;    // m
+};
+Slid slid(double mass, double rate, double time) {
+  const double from = kStatic * mass * kG / rate;
+  const double t = time - from;
+  const double a = (kStatic - kKinetic) * kG;
+  return {a * t + 0.5 * rate / mass * t * t, 0.5 * a * t * t + rate / mass * t * t * t / 6.0};
+}
+
+Body block(const std::string& name, double x, double mass) {
+  Body body = test::disc(name, {x, 0.05}, {0.0, 0.0}, 0.1, mass);
+  body.shape = Box{0.3, 0.1};
+  return body;
+}
+
+// Rough floors and blocks, smooth against one another, turned about the origin and shifted; a force on the
+// first block that reaches `force` at `rise` s.
+RunSetup pushed(std::vector<Body> bodies, const std::string& first, double force, double rise, double turned,
+                const Vec2& shift) {
+  RunSetup s = test::setup_with({}, 0.0, kKinetic);
+  s.scene.materials.front().static_friction = kStatic;
+  Material smooth;
+  smooth.restitution = 0.0;
+  s.scene.pairs.push_back({"block", "block", smooth});
+  s.scene.materials.push_back(s.scene.materials.front());
+  s.scene.materials.back().name = "block";
+  for (Body& body : bodies) {
+    if (!body.fixed) body.material = "block";
+    body.position = shift + turned_by(turned, body.position);
+    body.angle = turned;
+  }
+  s.scene.bodies = std::move(bodies);
+  s.scene.forces.gravity = turned_by(turned, Vec2(0.0, -kG));
+  AppliedForce push;
+  push.body = first;
+  push.force = turned_by(turned, Vec2(force, 0.0));
+  push.rise = rise;
+  s.scene.forces.applied.push_back(push);
+  return s;
+}
+
+// m: velocity Verlet, of order 2, is behind where a force changes in time.
+double way_off(const Simulation& run) {
+  const double h = run.method().step;
+  return run.method().integrator == IntegratorId::kVelocityVerlet ? h * h : 2e-6;
+}
+
+template <class Check>
+void for_each_method(RunSetup setup, double until, const Check& check) {
+  for (const IntegratorId integrator :
+       {IntegratorId::kVelocityVerlet, IntegratorId::kRk4, IntegratorId::kDormandPrince}) {
+    for (const double h : {1.0 / 60.0, 0.01, 0.005, 0.002}) {
+      SCOPED_TRACE(testing::Message() << static_cast<int>(integrator) << ", h = " << h);
+      setup.method = {integrator, ImpactsId::kLocated, ContactsId::kLasting, h};
+      Simulation run(setup);
+      run.advance_to(until);
+      check(run);
+    }
+  }
+}
+
+TEST(BreakAway, OfABlockOnSeveralTiles) {
+  const Slid right = slid(1.3, 15.0, 0.8);
+  for (const int tiles : {1, 2, 3}) {
+    for (const double turned : {0.0, 0.4, 3.0}) {
+      std::vector<Body> bodies;
+      const double width = tiles == 3 ? 0.2 : 2.0;
+      for (int i = 0; i < tiles; ++i)
+        bodies.push_back(test::fixed(fmt::format("tile {}", i), Box{width, 0.1},
+                                     {0.02 + width * (i - 0.5 * (tiles - 1)), -0.05}));
+      if (tiles == 3) bodies.push_back(test::fixed("last", Box{2.0, 0.1}, {0.02 + 1.5 * width + 1.0, -0.05}));
+      bodies.push_back(block("block", 0.0, 1.3));
+      const Vec2 shift = {turned, -7.0 * turned};
+      SCOPED_TRACE(testing::Message() << tiles << " tiles, turned by " << turned);
+      for_each_method(pushed(bodies, "block", 12.0, 0.8, turned, shift), 0.8, [&](const Simulation& run) {
+        const int last = run.state().size() - 1;
+        const Vec2 along = turned_by(turned, Vec2::UnitX());
+        EXPECT_NEAR(run.state().velocity(last).dot(along), right.speed, 1e-9);
+        EXPECT_NEAR((run.state().position(last) - shift).dot(along), right.way, way_off(run));
+      });
+    }
+  }
+}
+
+TEST(BreakAway, OfABlockThatPushesAnother) {
+  for (const auto& [pusher, other] : {std::pair(2.0, 0.5), std::pair(1.0, 1.0), std::pair(0.3, 1.2)}) {
+    const double mass = pusher + other;
+    const double until = kStatic * mass * kG / 20.0 + 0.087;
+    const Slid right = slid(mass, 20.0, until);
+    const RunSetup setup = pushed({test::fixed("floor", Box{8.0, 0.1}, {0.0, -0.05}),
+                                   block("pusher", 0.0, pusher), block("other", 0.3, other)},
+                                  "pusher", 30.0, 1.5, 0.0, Vec2::Zero());
+    SCOPED_TRACE(testing::Message() << pusher << " kg and " << other << " kg");
+    // A step is not divided shortly after its start: forces are constant in it then.
+    for_each_method(setup, until, [&](const Simulation& run) {
+      for (const int i : {1, 2}) EXPECT_NEAR(run.state().v(0, i), right.speed, 2e-5);
+      EXPECT_NEAR(run.state().q(0, 2) - run.state().q(0, 1), 0.3, 1e-9);
+    });
+  }
+}
+
+}  // namespace
+}  // namespace carom
