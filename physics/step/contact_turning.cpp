@@ -30,6 +30,9 @@ constexpr double kMostGuessed = 0.05;
 // Times what presses a contact in a step: likewise, for the change of a body's speed.
 constexpr double kMostSudden = 30.0;
 
+// Cosine: beyond, the guess has led a disc through what it touches, not off a corner.
+constexpr double kThrough = -0.5;
+
 // A body in the step.
 struct Flown {
   Pose end;
@@ -76,8 +79,9 @@ RowVelocity end_velocity(const Contacts& c, int i, const Vec2& point, const Vec2
 bool leaves(const Contacts& c, int i, const ManifoldPoint& at, const Manifold& end, double own, double h,
             const Flown& a, const Flown& b, const Eigen::Matrix3Xd& velocity) {
   const double parting = end_velocity(c, i, at.point, end.normal, a, b, velocity).normal;
-  const double along_end = own * end.normal.dot(c.normal[i]);
-  return at.gap - 0.5 * along_end * h * h > 0.0 && parting - along_end * h > 0.0;
+  const double turned = end.normal.dot(c.normal[i]);
+  const double along_end = own * turned;
+  return turned > kThrough && at.gap - 0.5 * along_end * h * h > 0.0 && parting - along_end * h > 0.0;
 }
 
 // m: from a point to the nearest corner of this part of a body.

@@ -22,6 +22,7 @@ struct RunClock {
   double origin_step = 0.0;  // the length of each step since the origin
   std::int64_t steps_since_origin = 0;
   std::int64_t steps = 0;
+  double divided_end = 0.0;  // of the step that an edit has divided; in the past: none is
 
   void start(double at) { time = step_end = origin = at; }
   void begin_step(double h) {

@@ -388,5 +388,32 @@ TEST(TurningContacts, FreeBoxesThatSlideAndTurnHaveTheIntegratorsOrder) {
   EXPECT_NEAR(spin(0.0025), exact, 1e-8);
 }
 
+// In a step in which it would fall by more than its own size it does not get to the other side of what it lies
+// on.
+TEST(TurningContacts, ASmallDiscStaysOnAThinPlate) {
+  struct Case {
+    double radius, thickness, step, gravity;
+  };
+  for (const auto& [radius, thickness, step, gravity] :
+       {Case{5e-4, 0.0, 1.0 / 60.0, 9.81}, Case{5e-4, 1e-4, 1.0 / 60.0, 9.81}, Case{0.01, 0.0, 0.1, 9.81},
+        Case{0.1, 0.1, 0.3, 9.81}, Case{0.005, 0.0, 1.0 / 60.0, 274.0}}) {
+    for (const IntegratorId integrator :
+         {IntegratorId::kRk4, IntegratorId::kVelocityVerlet, IntegratorId::kSemiImplicitEuler}) {
+      Body plate = test::fixed("plate", Box{40.0 * radius, thickness}, {0.0, -0.5 * thickness});
+      if (thickness == 0.0) plate.shape = Wall{40.0 * radius};
+      RunSetup s = test::setup_with({plate, test::disc("lower", {0.0, radius}, {0.0, 0.0}, radius),
+                                     test::disc("upper", {0.0, 3.0 * radius}, {0.0, 0.0}, radius)},
+                                    0.3, 0.2);
+      s.scene.forces.gravity = {0.0, -gravity};
+      s.method = {integrator, ImpactsId::kLocated, ContactsId::kLasting, step};
+      Simulation run(s);
+      run.advance_to(20.0 * step);
+      EXPECT_NEAR(run.state().q(1, 1), radius, 1e-9 * radius) << step << ", " << static_cast<int>(integrator);
+      EXPECT_NEAR(run.state().q(1, 2), 3.0 * radius, 1e-9 * radius) << step;
+      EXPECT_EQ(run.status(), "ok");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom
