@@ -97,6 +97,8 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame, OtherRuns others) 
   const bool new_run = !frame_ || frame->run != frame_->run;
   frame_ = std::move(frame);
   if (new_run || frame_->impacts_of_late) impacts_.clear();
+  if (frame_->back_to)
+    std::erase_if(impacts_, [&](const ImpactRecord& impact) { return impact.time > *frame_->back_to; });
   if (new_run) {
     peaks_ = {};
     run_seconds_.reset();

@@ -189,6 +189,13 @@ TEST_F(SceneViewTest, KeepsImpactsOfTheLastMoments) {
   later->time = 1.1;
   view_.set_frame(later);
   EXPECT_EQ(view_.drawing().segments.size(), 1U);
+  // An edit before the impact was undone or redone.
+  auto replayed = std::make_shared<Frame>(*later);
+  replayed->back_to = 0.8;
+  view_.set_frame(replayed);
+  EXPECT_TRUE(view_.drawing().segments.empty());
+  view_.set_frame(frame);
+  EXPECT_EQ(view_.drawing().segments.size(), 1U);
   auto restarted = std::make_shared<Frame>(*later);
   restarted->run += 1;
   view_.set_frame(restarted);
