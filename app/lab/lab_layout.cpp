@@ -22,6 +22,7 @@
 #include "widgets/edit/inspector.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/reading_table.h"
+#include "widgets/plot/run_plot.h"
 #include "widgets/run/before_after_panel.h"
 #include "widgets/run/experiment_list.h"
 #include "widgets/run/impacts_panel.h"
@@ -141,6 +142,11 @@ void LabWindow::make_docks() {
   auto* inspector = scrolled<TallArea>(inspector_);
   auto* plots = scrolled<TallArea>(plots_);
   for (QScrollArea* area : {inspector, plots}) area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  // Once it is laid out: the scrolled widget grows after the plot has its size.
+  connect(plots_, &PlotPanel::plotAdded, plots, [plots](RunPlot* added) {
+    const auto show = [plots, added] { plots->ensureWidgetVisible(added); };
+    QTimer::singleShot(0, added, [added, show] { QTimer::singleShot(0, added, show); });
+  });
   docks_ = new PanelDocks(scene, with_frame(inspector, 1), plots, drawer_);
   for (const auto panel : {PanelDocks::kInspector, PanelDocks::kPlots, PanelDocks::kDrawer})
     icon_actions_.emplace_back(docks_->window_of(panel).action(), "float");

@@ -134,7 +134,6 @@ class LabWindow : public QMainWindow {
   void fill_menu_of_bodies(QMenu& menu);
   void add_plots_of(QMenu& menu, const std::string& body);
   void add_stops_of(QMenu& menu, const Body& now);
-  void show_new_plot(const Plot& plot);
   void fill_menu_of_space(QMenu& menu, const QPoint& at);
   void inspect();
   // The tools of the scene (lab_tools.cpp).

@@ -1,8 +1,6 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QMenu>
-#include <QScrollArea>
-#include <QTimer>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +12,6 @@
 #include "widgets/base/number_text.h"
 #include "widgets/edit/inspected_parts.h"
 #include "widgets/plot/plot_panel.h"
-#include "widgets/plot/run_plot.h"
 #include "widgets/run/stop_editor.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/hit.h"
@@ -136,17 +133,7 @@ void LabWindow::add_plots_of(QMenu& menu, const std::string& body) {
     Plot plot;
     plot.y = {{std::string(each.name), {body}}};
     const QString label = text_of(each.label);
-    connect(plots->addAction(label), &QAction::triggered, this, [this, plot] { show_new_plot(plot); });
-  }
-}
-
-void LabWindow::show_new_plot(const Plot& plot) {
-  plots_->add(plot);
-  RunPlot* added = plots_->plots().back();
-  for (QWidget* above = plots_->parentWidget(); above != nullptr; above = above->parentWidget()) {
-    auto* area = qobject_cast<QScrollArea*>(above);
-    // Once it is laid out.
-    if (area != nullptr) QTimer::singleShot(0, added, [area, added] { area->ensureWidgetVisible(added); });
+    connect(plots->addAction(label), &QAction::triggered, this, [this, plot] { plots_->add(plot); });
   }
 }
 

@@ -155,6 +155,7 @@ void PlotPanel::changed() {
 void PlotPanel::add(const Plot& plot) {
   insert(plots_.size(), content_of(plot, bodies_, first_theories_));
   changed();
+  emit plotAdded(plots_.back());
 }
 
 void PlotPanel::replace(RunPlot* old, const Plot& plot) {
@@ -212,8 +213,10 @@ void PlotPanel::set_shown(std::string_view id, bool shown) {
     mark_menu();
     return;
   }
-  insert(static_cast<std::size_t>(place - plots_.begin()), table[static_cast<std::size_t>(rank(id))]);
+  const auto at = static_cast<std::size_t>(place - plots_.begin());
+  insert(at, table[static_cast<std::size_t>(rank(id))]);
   changed();
+  emit plotAdded(plots_[at]);
 }
 
 bool PlotPanel::in_head(const QPoint& at) const {

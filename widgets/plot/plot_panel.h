@@ -86,6 +86,7 @@ class PlotPanel : public QWidget {
  signals:
   // The user chose other plots, which may need other curves.
   void layoutChanged();
+  void plotAdded(carom::RunPlot* plot);  // one more, which should be seen
   // The user moved a mark or changed the visible time.
   void marksChanged();
   void impactChosen(double time);  // s, of a recorded impact, by its mark

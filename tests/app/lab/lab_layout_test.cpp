@@ -11,6 +11,8 @@
 #include "tests/app/lab/lab_fixture.h"
 #include "tests/app/lab/two_discs.h"
 #include "widgets/edit/inspector.h"
+#include "widgets/plot/plot_panel.h"
+#include "widgets/plot/run_plot.h"
 
 namespace carom {
 namespace {
@@ -142,6 +144,20 @@ TEST_F(LabLayoutTest, WhatLessonsChangeOfABodyIsSeenWithoutScrolling) {
         << field->accessibleName().toStdString();
   }
   EXPECT_EQ(fields, 9);
+}
+
+// It comes under the last one, where a small window does not reach.
+TEST_F(LabLayoutTest, ANewPlotIsSeen) {
+  resize({1280, 800});
+  ASSERT_TRUE(window_.open("head-on"));
+  auto* plots = window_.findChild<PlotPanel*>();
+  for (const char* quantity : {"rotational_energy", "momentum_y", "fastest"}) {
+    Plot plot;
+    plot.y = {{std::string(quantity), {}}};
+    plots->add(plot);
+    QTest::qWait(50);
+    EXPECT_FALSE(plots->plots().back()->visibleRegion().isEmpty()) << quantity;
+  }
 }
 
 TEST_F(LabLayoutTest, TheOpenTabIsRemembered) {
