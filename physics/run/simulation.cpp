@@ -123,6 +123,7 @@ std::vector<Joint> Simulation::joints() const {
 void Simulation::set_method(const Method& method) {
   if (lost_) return;
   Trajectories& trajectories = parts_->world.trajectories;
+  if (method.step != parts_->world.method.step) parts_->world.clock.divided_end = 0.0;
   parts_->world.method = method;
   // Trajectories that continue across steps are advanced here; the others were at the step's end.
   for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, time() - trajectories.epoch());
@@ -194,8 +195,14 @@ void Simulation::apply_all_due() {
   while (due() != nullptr) apply_due();
 }
 
+// s: of the next step, if there are no edits.
+double Simulation::undivided_step() const {
+  const double left = step_towards(parts_->world.clock.divided_end, time(), method().step);
+  return left > 0.0 ? left : method().step;
+}
+
 double Simulation::next_step() const {
-  double step = method().step;
+  double step = undivided_step();
   for (std::size_t i = edits_applied_; i < edits_->size(); ++i) {
     const RunEdit& edit = (*edits_)[i];
     const auto* other = std::get_if<Method>(&edit.what);
@@ -214,6 +221,7 @@ void Simulation::step(double h) {
   parts_->world.log.clear();
   apply_all_due();
   if (lost_) return;
+  if (h == next_step() && h < undivided_step()) parts_->world.clock.divided_end = time() + undivided_step();
   parts_->last_good.state = parts_->world.state;
   parts_->last_good.sums = parts_->world.sums;
   parts_->world.trajectories.begin_step();

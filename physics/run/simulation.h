@@ -59,7 +59,7 @@ class Simulation {
   // One step of next_step() s.
   void step();
   // s: the method's length, or less where an edit of the scene is due before its end, so that each has its own
-  // time. Edits that are due now are thought of as made.
+  // time; then what is left of the step that it divides. Edits that are due now are thought of as made.
   [[nodiscard]] double next_step() const;
   // s: of the step from now towards `time`; 0 at that time.
   [[nodiscard]] double next_step(double time) const { return step_towards(time, this->time(), next_step()); }
@@ -155,6 +155,7 @@ class Simulation {
   void move_hand(const Vec2& place);  // m
   void count_pairs(const std::vector<std::pair<std::string, std::string>>& names);
   void make_step(double h);
+  [[nodiscard]] double undivided_step() const;
   void give_up(const LostMotion& lost);
   void go_on_from(const SavedRun& saved);
   void go_on_from(const Checkpoint& from);

@@ -129,14 +129,25 @@ void PastRun::make_part(double length, bool with_jumps_ahead) {
   const double start = at_->simulation.time();
   double end = start + length;
   if (end - start < length) end = std::nextafter(end, std::numeric_limits<double>::infinity());
-  if (with_jumps_ahead) {
-    Simulation whole = at_->simulation;
-    whole.step();
-    jumps_ahead_ = jump_moments(whole);
-  }
+  if (with_jumps_ahead) look_ahead();
   part_ = at_;
   part_->simulation.step(end - start);
   if (part_->sampler && !part_->simulation.lost()) part_->sampler->after_step(part_->simulation);
+}
+
+void PastRun::look_ahead_for(double impact) {
+  const double rounding = kSameMoment * at_->simulation.method().step;
+  const auto met = jump_moments(at_->simulation);
+  const bool is_met = std::any_of(met.begin(), met.end(), [&](const auto& moment) {
+    return std::abs(moment->time() - impact) <= rounding;
+  });
+  if (!is_met) look_ahead();
+}
+
+void PastRun::look_ahead() {
+  Simulation whole = at_->simulation;
+  whole.step();
+  jumps_ahead_ = jump_moments(whole);
 }
 
 void PastRun::leave_key_frame(Clock::duration worked) {

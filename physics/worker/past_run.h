@@ -41,6 +41,10 @@ class PastRun {
   // are those of the last step, or of the whole one that follows.
   void make_part(double length, bool with_jumps_ahead = false);
 
+  // Shows the jumps of the step that follows where the last one has not met this impact (s): rounding says in
+  // which of two steps one at their common end is.
+  void look_ahead_for(double impact);
+
   // Once it stands anywhere.
   [[nodiscard]] const Simulation& simulation() const { return at_->simulation; }
   [[nodiscard]] const Simulation& shown() const { return part_ ? part_->simulation : at_->simulation; }
@@ -59,6 +63,7 @@ class PastRun {
   void stand_at(const KeyFrame& moment);
   void stand_at_start();
   void apply_due_edits();
+  void look_ahead();
   void leave_key_frame(std::chrono::steady_clock::duration worked);
 
   std::shared_ptr<const RunSetup> setup_;

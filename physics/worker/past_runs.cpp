@@ -71,6 +71,7 @@ void PastRuns::go_to_impact() {
   const double part = *sought_->impact - first.time() - 0.5 * kSameMoment * step;
   const bool whole = !(part > 0.0 && part < (1.0 - kSameMoment) * step);
   if (!whole) sought_->part = part;
+  if (whole && sought_->by == 0) sought_->at_end = sought_->impact;
   if (whole || sought_->by != 0) sought_->impact.reset();
   if (whole) ++sought_->by;
   if (sought_->by == 0) return follow_first();
@@ -85,6 +86,7 @@ void PastRuns::follow_first() {
 }
 
 void PastRuns::make_parts() {
+  if (sought_->at_end) runs_.front().look_ahead_for(*sought_->at_end);
   if (sought_->part == 0.0) return;
   runs_.front().make_part(sought_->part, sought_->impact.has_value());
   const double time = runs_.front().shown().time();

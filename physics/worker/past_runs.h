@@ -56,6 +56,7 @@ class PastRuns {
     std::int64_t newest = 0;              // steps of the run itself
     double part = 0.0;                    // s, of the first run after that
     std::optional<double> impact{};       // s, in the first run's next step
+    std::optional<double> at_end{};       // s, of an impact at the end of that step
     bool others_follow = false;           // the time is that of the first run's moment
   };
 

@@ -245,7 +245,7 @@ TEST(EditOfARun, ComesAtItsTime) {
   run.advance_to(0.4);
   ASSERT_EQ(run.bodies().size(), 3U);
   EXPECT_NEAR(run.state().position(2).x(), 0.15, 1e-15);
-  EXPECT_EQ(run.steps(), 5) << "to 0.1, 0.2, 0.25, 0.35 and 0.4 s";
+  EXPECT_EQ(run.steps(), 5) << "to 0.1, 0.2, 0.25, 0.3 and 0.4 s";
   run.step();
   EXPECT_NEAR(run.time(), 0.41, 1e-15);
   EXPECT_EQ(run.method(), fine);
@@ -267,6 +267,8 @@ TEST(EditOfARun, AFallBeginsAtItsTimeAtAnyStep) {
     EXPECT_NEAR(run.state().position(1).x(), t, 1e-14) << step;
     EXPECT_NEAR(run.state().position(1).y(), 2.0 * t - 0.5 * 9.81 * t * t, 1e-14) << step;
     EXPECT_NEAR(run.state().position(0).y(), -0.5 * 9.81, 1e-13) << step;
+    EXPECT_EQ(run.steps(), std::lround(std::ceil(1.0 / step - 1e-9)) + 1)
+        << "one step is divided, the others stay";
   }
 }
 

@@ -194,7 +194,8 @@ TEST_F(WorkerPast, ACutKeepsTheEditsOfThePreset) {
   const Worker::EditId edit = worker_.keep_runs();
   worker_.cut(edit, recorded_[20].front()->time, {{0.15, 0, SceneEdits{Add<Body>{kBody}}}});
   worker_.run_until(0.2);
-  EXPECT_EQ(newest_at(50).front()->bodies->size(), gas().scene.bodies.size() + 1);
+  // 50 steps, of which the edit divides one.
+  EXPECT_EQ(newest_at(51).front()->bodies->size(), gas().scene.bodies.size() + 1);
 }
 
 // All runs come to the edit's own time, within their steps, and go on from there.
@@ -226,6 +227,36 @@ TEST_F(WorkerPast, AnEditAfterACutIsMadeWhereItCut) {
     worker_.return_to(edit, {}, ReferenceId::kExactFlight);
     expect_same(newest_at(recorded_.back().front()->steps), recorded_.back());
   }
+}
+
+// Rounding says in which of two steps it is that have their end in common: its moment shows it.
+TEST_F(WorkerPast, AnImpactAtTheEndOfAStepIsShown) {
+  int in_the_next = 0;
+  for (const double further : {0.0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07}) {
+    Preset hit;
+    hit.scene.bodies = {disc("a", {-2.07 + further, 0.0}, {2.0, 0.0}, 0.24),
+                        disc("b", {-0.3, 0.0}, {0.0, 0.0}, 0.3)};
+    hit.method = {.integrator = IntegratorId::kRk4, .step = 0.005};
+    worker_.load(hit);
+    worker_.run_until(0.7);
+    std::vector<ImpactRecord> impacts;
+    Frames newest;
+    ASSERT_TRUE(test::wait_until([&] {
+      const Frames news = worker_.take_frames();
+      if (news.empty()) return false;
+      newest = news;
+      impacts.insert(impacts.end(), news.front()->impacts.begin(), news.front()->impacts.end());
+      return !news.front()->playing && news.front()->time > 0.69;
+    }));
+    ASSERT_EQ(impacts.size(), 1U);
+    const double time = impacts.front().time;
+    const auto at = shown({.time = time - 1e-11, .impact = time}).front();
+    EXPECT_NEAR(at->time, time, 1e-11);
+    ASSERT_EQ(at->jumps.size(), 1U) << further;
+    EXPECT_EQ(at->jumps.front()->time(), time);
+    in_the_next += at->impact_count == 0;
+  }
+  EXPECT_GT(in_the_next, 0);
 }
 
 // A ball in free fall, h = 0.02 s: explicit Euler is g h t / 2 behind at the steps' ends, and moves straight on
