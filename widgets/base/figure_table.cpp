@@ -19,8 +19,9 @@
 namespace carom {
 namespace {
 
-constexpr int kRowHeight = 22;  // px
-constexpr int kInset = 5;       // px, of a cell's text
+constexpr int kRowHeight = 22;       // px
+constexpr int kLeastRowHeight = 20;  // px: of rows that scroll
+constexpr int kInset = 5;            // px, of a cell's text
 
 // In quotes where the table needs them.
 QString quoted(const QString& text, char separator) {
@@ -257,11 +258,11 @@ void FigureTable::resizeEvent(QResizeEvent* event) {
   fit_rows();
 }
 
-// Where rows scroll they are as much higher as lets whole ones fill the height: none is cut in half.
+// Where rows scroll they are of a height that lets whole ones fill the table: none is cut in half.
 void FigureTable::fit_rows() {
   const int height = viewport()->height();
   const bool scrolls = model_->rowCount() * kRowHeight > height && height >= kRowHeight;
-  verticalHeader()->setDefaultSectionSize(scrolls ? height / (height / kRowHeight) : kRowHeight);
+  verticalHeader()->setDefaultSectionSize(scrolls ? height / (height / kLeastRowHeight) : kRowHeight);
 }
 
 // px: a column of text keeps nine tenths of its share and cuts what is longer; figures and heads are never cut.

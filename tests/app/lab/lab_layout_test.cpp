@@ -13,6 +13,7 @@
 #include "widgets/edit/inspector.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
+#include "widgets/run/before_after.h"
 
 namespace carom {
 namespace {
@@ -144,6 +145,18 @@ TEST_F(LabLayoutTest, WhatLessonsChangeOfABodyIsSeenWithoutScrolling) {
         << field->accessibleName().toStdString();
   }
   EXPECT_EQ(fields, 9);
+}
+
+// Of two bodies and their sum.
+TEST_F(LabLayoutTest, BeforeAndAfterShowsBothBodiesOfAnImpact) {
+  resize({1280, 800});
+  ASSERT_TRUE(window_.open("head-on"));
+  press(Qt::Key_2, Qt::ControlModifier);
+  window_.run_until(1.0);
+  QTest::qWait(50);
+  auto* table = window_.findChild<BeforeAfterTable*>();
+  ASSERT_EQ(table->model()->rowCount(), 3);
+  EXPECT_GE(table->viewport()->height(), 3 * table->rowHeight(0));
 }
 
 // It comes under the last one, where a small window does not reach.
