@@ -158,7 +158,7 @@ void RunGroup::set_method(std::size_t run, const Method& method, EditId edit) {
 }
 
 void RunGroup::edit_scene(const SceneEdits& edits, EditId edit) {
-  if (interrupted_) return;
+  if (interrupted_ || runs_.empty()) return;
   const double time = edited_time();
   for (Run& run : runs_) run.live.edit({time, edit, edits});
   replay_to(time);

@@ -153,9 +153,10 @@ void PlotPanel::changed() {
 }
 
 void PlotPanel::add(const Plot& plot) {
-  insert(plots_.size(), content_of(plot, bodies_, first_theories_));
+  const std::size_t count = plots_.size();
+  insert(count, content_of(plot, bodies_, first_theories_));
   changed();
-  emit plotAdded(plots_.back());
+  if (plots_.size() > count) emit plotAdded(plots_.back());  // it was not refused
 }
 
 void PlotPanel::replace(RunPlot* old, const Plot& plot) {
@@ -213,10 +214,11 @@ void PlotPanel::set_shown(std::string_view id, bool shown) {
     mark_menu();
     return;
   }
-  const auto at = static_cast<std::size_t>(place - plots_.begin());
-  insert(at, table[static_cast<std::size_t>(rank(id))]);
+  insert(static_cast<std::size_t>(place - plots_.begin()), table[static_cast<std::size_t>(rank(id))]);
   changed();
-  emit plotAdded(plots_[at]);
+  const auto added = std::find_if(plots_.begin(), plots_.end(),
+                                  [&](const RunPlot* plot) { return plot->content().plot.id == id; });
+  if (added != plots_.end()) emit plotAdded(*added);  // it was not refused
 }
 
 bool PlotPanel::in_head(const QPoint& at) const {
