@@ -100,8 +100,7 @@ bool is_true_impact(const World& world, BodyIndex a, BodyIndex b, const Contact&
 }
 
 // The pairs that overlap and close, where a body that moves is in several of them: all, or those that the
-// impacts of struck bodies have set off. With
-// these also what touches, if the scene says so.
+// impacts of struck bodies have set off. With these also what touches, if the scene says so.
 void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighbours& neighbours, double h,
                const std::vector<bool>* struck, std::vector<Hit>& hits) {
   hits.clear();

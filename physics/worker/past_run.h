@@ -37,8 +37,8 @@ class PastRun {
   [[nodiscard]] bool may_step(double time) const;
   void step();
   // Shows the moment to which a step of this length (s) leads, if it is not 0, or one at most a rounding later:
-  // an edit at its time divides the step there. It stands where it is. The jumps
-  // are those of the last step, or of the whole one that follows.
+  // an edit at its time divides the step there. It stands where it is. The jumps are those of the last step, or
+  // of the whole one that follows.
   void make_part(double length, bool with_jumps_ahead = false);
 
   // Shows the jumps of the step that follows where the last one has not met this impact (s): rounding says in
