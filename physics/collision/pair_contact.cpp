@@ -446,15 +446,6 @@ Manifold manifold(const Geometry& g, BodyIndex a, ShapeIndex part_a, const Pose&
   return m;
 }
 
-bool has_parts_at(const Geometry& g, BodyIndex a, BodyIndex b, std::uint32_t id) {
-  const auto has = [&](BodyIndex body, std::uint32_t number) {
-    return number == 0 ||
-           (g.has_parts(body) && number <= static_cast<std::uint32_t>(g.more[body].last - g.more[body].first));
-  };
-  const auto [of_a, of_b] = part_numbers(id);
-  return has(a, of_a) && has(b, of_b);
-}
-
 ShapePair parts_at(const Geometry& g, BodyIndex a, BodyIndex b, std::uint32_t id) {
   const auto [of_a, of_b] = part_numbers(id);
   return {g.part_of(a, static_cast<int>(of_a)), g.part_of(b, static_cast<int>(of_b))};

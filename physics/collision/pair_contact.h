@@ -84,8 +84,6 @@ inline constexpr unsigned kPartBits = 11;
 // Of two parts.
 [[nodiscard]] Manifold manifold(const Geometry& g, BodyIndex a, ShapeIndex part_a, const Pose& pose_a,
                                 BodyIndex b, ShapeIndex part_b, const Pose& pose_b, double margin);
-// Whether the two bodies have those: an id that a file holds may name others.
-[[nodiscard]] bool has_parts_at(const Geometry& g, BodyIndex a, BodyIndex b, std::uint32_t id);
 // The parts of a and b that a point of this id belongs to.
 [[nodiscard]] ShapePair parts_at(const Geometry& g, BodyIndex a, BodyIndex b, std::uint32_t id);
 // Of those parts.

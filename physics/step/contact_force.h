@@ -12,12 +12,12 @@ namespace carom {
 // Tolerance of the contact forces, relative to the change of a speed by forces in a step.
 inline constexpr double kContactTolerance = 1e-12;
 
-// Force of one contact point on two bodies during a step.
+// Force of one contact point on two bodies during a step, or a part of one.
 struct ContactForce {
   BodyIndex a;
   BodyIndex b;                    // a < b
   std::uint32_t id = 0;           // of the manifold point; constant while the same features touch
-  Vec2 point = Vec2::Zero();      // m, at the step's start
+  Vec2 point = Vec2::Zero();      // m, when the force ends
   Vec2 normal = Vec2::UnitX();    // from a to b; of halfway through the step where it turns
   double normal_force = 0.0;      // N, mean over the step: the force on b along the normal
   double tangential_force = 0.0;  // N, along the normal turned by +90°

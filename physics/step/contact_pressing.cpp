@@ -1,8 +1,8 @@
 #include "physics/step/contact_pressing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "physics/collision/pair_contact.h"
@@ -10,6 +10,7 @@
 #include "physics/scene/drive.h"
 #include "physics/step/coming_to_rest.h"
 #include "physics/step/contact_finder.h"
+#include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -19,30 +20,16 @@ namespace {
 constexpr double kNoise = 1.6e-9;
 constexpr double kRounding = 256.0 * std::numeric_limits<double>::epsilon();
 
-// Relative to the size: a contact whose bodies move on by more in a step has gone to another place, or is gone.
-constexpr double kMovedOn = 0.02;
+// Relative to the size: a contact that is open by more has ended.
+constexpr double kOpen = 0.02;
 
-// Of a body by a contact force at this point, m/s² and rad/s².
+// Of a body by a contact force, m/s² and rad/s².
 Eigen::Vector3d acceleration_by(const World& world, const ContactForce& f, const Eigen::Vector3d& support,
-                                const Vec2& point, BodyIndex body) {
+                                BodyIndex body) {
   const Vec2 force = support[0] * f.normal + support[1] * crossed(f.normal);
-  const Vec2 arm = point - world.trajectories.at_start(body).head<2>();
+  const Vec2 arm = f.point - world.trajectories.at_start(body).head<2>();
   const Vec2 moved = world.mass().inverse_mass[body] * force;
   return {moved.x(), moved.y(), world.mass().inverse_inertia[body] * (cross(arm, force) + support[2])};
-}
-
-// m: where the contact of a force of the last step is now; nothing if it is gone.
-std::optional<Vec2> place_now(const World& world, const ContactForce& f, double step_length) {
-  const Motion a = world.trajectories.at_start(f.a);
-  const Motion b = world.trajectories.at_start(f.b);
-  const double moves = step_length * (b.segment<2>(3) - a.segment<2>(3)).norm();
-  if (!(moves > kMovedOn * smaller_size(world, f.a, f.b))) return f.point;
-  const Geometry& g = world.shapes();
-  if (!has_parts_at(g, f.a, f.b, f.id)) return std::nullopt;
-  const Manifold m = manifold_of(g, f.a, g.pose(f.a, a.head<3>()), f.b, g.pose(f.b, b.head<3>()), f.id, moves);
-  const int k = point_with(m, f.id);
-  if (k < 0) return std::nullopt;
-  return m.points[static_cast<std::size_t>(k)].point;
 }
 
 }  // namespace
@@ -60,27 +47,19 @@ void ContactPressing::find(World& world, double step_length, const ContactMemory
   }
   change_by_forces_ = step_length * acceleration_.topRows<2>().colwise().norm().maxCoeff();
   noise_ = kNoise * change_by_forces_ + kRounding * world.state.v.topRows<2>().cwiseAbs().maxCoeff();
-  pressing_ = acceleration_;
-  pushes_.assign(memory.support.size(), {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
-  for (std::size_t k = 0; k < memory.support.size(); ++k) {
-    const std::optional<Vec2> place = place_now(world, memory.forces[k], step_length);
-    if (place) push(world, memory, k, *place);
-  }
+  update(world, memory);
 }
 
 void ContactPressing::update(const World& world, const ContactMemory& memory) {
   pressing_ = acceleration_;
   pushes_.resize(memory.support.size());
-  for (std::size_t k = 0; k < memory.support.size(); ++k) push(world, memory, k, memory.forces[k].point);
-}
-
-// Force k of the memory, at this point.
-void ContactPressing::push(const World& world, const ContactMemory& memory, std::size_t k, const Vec2& point) {
-  const ContactForce& f = memory.forces[k];
-  pushes_[k] = {-acceleration_by(world, f, memory.support[k], point, f.a),
-                acceleration_by(world, f, memory.support[k], point, f.b)};
-  pressing_.col(f.a) += pushes_[k].of_a;
-  pressing_.col(f.b) += pushes_[k].of_b;
+  for (std::size_t k = 0; k < memory.support.size(); ++k) {
+    const ContactForce& f = memory.forces[k];
+    pushes_[k] = {-acceleration_by(world, f, memory.support[k], f.a),
+                  acceleration_by(world, f, memory.support[k], f.b)};
+    pressing_.col(f.a) += pushes_[k].of_a;
+    pressing_.col(f.b) += pushes_[k].of_b;
+  }
 }
 
 double ContactPressing::between(const World& world, const ContactMemory& memory, BodyIndex a, BodyIndex b,
@@ -107,6 +86,37 @@ double ContactPressing::rest_speed(const World& world, double press, double rest
   if (world.method.integrator == IntegratorId::kExplicitEuler && restitution < 1.0)
     share = std::max(share, last_rebound_of_euler(restitution));
   return std::max(noise_, share * press * step_length_);
+}
+
+void carry_forces(World& world, double passed, const Neighbours& neighbours, ContactMemory& memory) {
+  const Geometry& g = world.shapes();
+  const auto pose = [&](BodyIndex i) { return g.pose(i, world.trajectories.at(i, passed).head<3>()); };
+  for (std::size_t k = 0; k < memory.support.size(); ++k) {
+    ContactForce& f = memory.forces[k];
+    const auto moved = [&](BodyIndex i) -> Eigen::Vector3d {
+      return world.trajectories.at(i, passed).head<3>() - world.state.q.col(i);
+    };
+    const Eigen::Vector3d by_a = moved(f.a);
+    const Eigen::Vector3d by_b = moved(f.b);
+    const Vec2 slid = (by_b - by_a).head<2>();
+    const double size = smaller_size(world, f.a, f.b);
+    const bool moves = slid.norm() > kTogether * size || std::abs(by_a[2]) + std::abs(by_b[2]) > kTogether;
+    const double open = kOpen * size;
+    if (moves) {
+      const Manifold m = manifold_of(g, f.a, pose(f.a), f.b, pose(f.b), f.id, open);
+      const int at = point_with(m, f.id);
+      const auto is_bare = [&] {
+        return !may_be_continued(world, f.a, f.b) ||
+               !on_internal_edge(world, f.a, f.b, m.contact(at), neighbours.of_pair(world, f.a, f.b), pose);
+      };
+      if (at >= 0 && is_bare()) {
+        f.point = m.points[static_cast<std::size_t>(at)].point;
+        continue;
+      }
+    }
+    if (std::abs(slid.dot(f.normal)) > open) memory.support[k].setZero();
+    f.point += (world.infinite_mass(f.b) ? by_a : by_b).head<2>();
+  }
 }
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/step/contact_force.h"
+#include "physics/step/neighbours.h"
 #include "physics/step/world.h"
 
 namespace carom {
@@ -37,7 +38,6 @@ class ContactPressing {
     Eigen::Vector3d of_a;
     Eigen::Vector3d of_b;
   };
-  void push(const World& world, const ContactMemory& memory, std::size_t k, const Vec2& point);
 
   double step_length_ = 0.0;       // s
   std::vector<Push> pushes_;       // parallel to the forces of the memory
@@ -46,5 +46,10 @@ class ContactPressing {
   double noise_ = 0.0;
   double change_by_forces_ = 0.0;
 };
+
+// Moves the points of forces to where their contacts are when `passed` s of their part are over, to press
+// bodies together there. Where a body has slid over a seam its contact goes on at the same place, with another
+// body. Those that have ended press no more.
+void carry_forces(World& world, double passed, const Neighbours& neighbours, ContactMemory& memory);
 
 }  // namespace carom

@@ -15,14 +15,15 @@ namespace carom {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// Times the rounding of a gap and of a time: impacts that are nearer in time are at one time.
-constexpr double kRoundings = 16.0;
+// Times the rounding of a gap and of a time: impacts that are nearer in time are at one time. Bodies that have
+// slid for many steps have gathered the rounding of each.
+constexpr double kRoundings = 1024.0;
 // Work of the law for several contacts in a step, of a problem with n unknowns n³, and impacts of one moment:
 // what piles up goes on pair by pair then, with no symmetry left to keep.
 constexpr std::int64_t kMostWork = 300'000;
 constexpr std::size_t kMostOfMoment = 256;
 // Of a step: the rounding of a gap puts a slow impact off by no more.
-constexpr double kMostOff = 1e-8;
+constexpr double kMostOff = 2e-10;
 
 // The islands of these bodies, in rising order.
 std::vector<int> islands_of(const Trajectories& trajectories, const std::vector<BodyIndex>& bodies) {

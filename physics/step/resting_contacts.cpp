@@ -282,6 +282,7 @@ void RestingContacts::record_forces(World& world, double passed, double share) {
   }
   record_support(world, found_.contacts, linear_, share, moved_, passed, flight_);
   linear_.record(world, passed);
+  carry_forces(world, passed, finder_.neighbours(), memory_);
 }
 
 bool RestingContacts::is_disturbed(BodyIndex a, BodyIndex b) const {

@@ -21,9 +21,11 @@ constexpr double kGentle = 0.1;
 constexpr double kSlips = 4.0;
 // Guesses of the contact forces in a step, until the flight under them has end velocities that are off by at
 // most kGuessed of the change of a speed by forces.
-constexpr int kMostGuesses = 6;
-constexpr int kMostGuessesOfMany = 2;  // of more than kFewContacts
 constexpr int kFewContacts = 16;
+int most_guesses(int contacts) {
+  if (contacts <= kFewContacts) return 6;
+  return contacts <= kFewContactsOfScene ? 4 : 2;
+}
 constexpr double kGuessed = 1e-9;
 // Of a body's acceleration by other forces: so much counts as pressing it, so that a change of its speed by no
 // more than those forces make is not sudden (see turn_contacts).
@@ -208,7 +210,7 @@ void RestingContacts::find_forces(World& world, double h) {
   at_start_ = c;
   const ContactSolverOptions options = solver_options();
   ContactSolverReport report;
-  const int most = c.size() <= kFewContacts ? kMostGuesses : kMostGuessesOfMany;
+  const int most = most_guesses(c.size());
   for (int guess = 0; guess < most; ++guess) {
     if (guess > 0) {
       for (int i = 0; i < c.size(); ++i) {

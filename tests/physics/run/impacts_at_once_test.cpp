@@ -169,62 +169,6 @@ TEST(ImpactsAtOnce, ARowHitFromBothSidesIsSymmetricInEveryOrder) {
   }
 }
 
-// Velocities of a row of equal balls at rest that touch after the first one was hit, by rounds: the pairs that
-// close have their impacts, and then those that these set off. No two of a round share a ball.
-std::vector<double> after_rounds(int balls, double restitution) {
-  std::vector<double> v(static_cast<std::size_t>(balls), 0.0);
-  v.front() = 1.0;
-  std::vector<std::size_t> close = {0};
-  while (!close.empty()) {
-    for (const std::size_t i : close) {
-      const double mean = 0.5 * (v[i] + v[i + 1]);
-      const double half = 0.5 * restitution * (v[i] - v[i + 1]);
-      v[i] = mean - half;
-      v[i + 1] = mean + half;
-    }
-    close.clear();
-    for (std::size_t i = 0; i + 1 < v.size(); ++i) {
-      if (v[i] - v[i + 1] > 1e-14) close.push_back(i);
-    }
-  }
-  return v;
-}
-
-// The gaps of the balls are rounding, which grows with their distance from the origin: it does not decide which
-// impact comes first, not even where the moment is the end of a step, and the trajectories end with it.
-TEST(ImpactsAtOnce, ARowGoesOnInRoundsAtEveryPlaceAndTime) {
-  for (const ContactsId contacts : {ContactsId::kImpulse, ContactsId::kLasting}) {
-    for (const double gap : {0.3, 0.3137}) {
-      for (const Vec2& shift : {Vec2{0.0, 0.0}, Vec2{100.0, 0.0}, Vec2{33.3, -7.1}, Vec2{1e4, 0.0}}) {
-        if (gap == 0.3 && contacts == ContactsId::kLasting && !shift.isZero()) continue;
-        for (const double angle : {0.0, 0.3, 1.1}) {
-          for (const double restitution : {0.5, 0.9}) {
-            for (const int balls : {3, 4, 5, 6}) {
-              RunSetup s = test::setup_with({}, restitution);
-              for (int i = 0; i < balls; ++i) {
-                const Vec2 place = {i == 0 ? -gap - 0.2 : 0.2 * (i - 1), 0.0};
-                const Vec2 velocity = {i == 0 ? 1.0 : 0.0, 0.0};
-                s.scene.bodies.push_back(
-                    disc(fmt::format("{}", i), Vec2(shift + turned(place, angle)), turned(velocity, angle)));
-              }
-              s.method.contacts = contacts;
-              s.method.step = 0.01;
-              Simulation run(s);
-              run.advance_to(1.0);
-              const std::vector<double> v = after_rounds(balls, restitution);
-              for (int i = 0; i < balls; ++i) {
-                EXPECT_NEAR(turned(run.state().velocity(i), -angle).x(), v[static_cast<std::size_t>(i)], 1e-12)
-                    << "ball " << i << " of " << balls << ", e = " << restitution << ", " << shift.x() << " m, "
-                    << angle << " rad, " << gap << " m, contacts " << static_cast<int>(contacts);
-              }
-            }
-          }
-        }
-      }
-    }
-  }
-}
-
 // A rod holds the two: they can only move on together, as one body of two masses in one dimension.
 TEST(ImpactsAtOnce, OneBallOnTwoThatALinkHolds) {
   for (const SeveralImpactsId several : {SeveralImpactsId::kPairwise, SeveralImpactsId::kSimultaneous}) {
@@ -341,29 +285,6 @@ TEST(ImpactsAtOnce, ALargeTriangleBreaksAlikeOnBothSides) {
           }
         }
       }
-    }
-  }
-}
-
-// Balls of clay in a row: all go on together after one impact at each contact, though pair by pair there is no
-// last one.
-TEST(ImpactsAtOnce, ARowOfClayStopsWithOneImpactAtEachContact) {
-  for (const ContactsId contacts : {ContactsId::kImpulse, ContactsId::kLasting}) {
-    for (const int balls : {3, 4, 7}) {
-      RunSetup s = test::setup_with({}, 0.0);
-      double mass = 0.0;
-      for (int i = 0; i < balls; ++i) {
-        s.scene.bodies.push_back(disc(fmt::format("{}", i), {i == 0 ? -0.5 : 0.2 * (i - 1), 0.0},
-                                      {i == 0 ? 1.0 : 0.0, 0.0}, 0.1, 1.0 + i));
-        mass += 1.0 + i;
-      }
-      s.method.contacts = contacts;
-      Simulation run(s);
-      run.advance_to(1.0);
-      for (int i = 0; i < balls; ++i) EXPECT_NEAR(run.state().v(0, i), 1.0 / mass, 1e-14) << balls;
-      EXPECT_EQ(run.impact_count(), balls - 1);
-      EXPECT_EQ(run.status(), "ok");
-      EXPECT_NEAR(run.ledger().lost_to_restitution, 0.5 - 0.5 / mass, 1e-14);
     }
   }
 }
