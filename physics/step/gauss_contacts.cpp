@@ -112,7 +112,7 @@ bool GaussContacts::settle(const GaussStep& step, double least, double& ends) {
 
 void GaussContacts::enter(const GaussStep& step) {
   Contacts& found = step.found.contacts;
-  island_.share_friction();
+  island_.share_friction(step);
   for (const GaussContact& c : island_.closed()) {
     improved_[static_cast<std::size_t>(c.contact)] = 1;
     found.normal_impulse[c.contact] = 0.5 * step.h * (c.at[0].normal_force + c.at[1].normal_force);

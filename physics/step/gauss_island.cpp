@@ -38,8 +38,6 @@ constexpr double kClosed = 0.05;
 constexpr double kReturns = 0.01;
 // Relative: a difference from full friction.
 constexpr double kFull = 1e-9;
-// Of the size, and in rad: contacts on one line.
-constexpr double kSameLine = 1e-9;
 // rad: contacts that turn by less have constant normals and arms.
 constexpr double kStill = 1e-11;
 
@@ -71,15 +69,6 @@ std::array<double, 2> moves_by(const World& world) {
 
 bool rubs(const GaussStep& step, const GaussContact& c) {
   return step.found.contacts.kinetic_friction[c.contact] > 0.0;
-}
-
-// Gives a contact the tangential forces of all that stick on its face.
-void hold_face(std::vector<GaussContact>& closed, GaussContact& holder) {
-  for (GaussContact& other : closed) {
-    if (&other == &holder || other.face != holder.face || !other.sticks) continue;
-    for (const std::size_t k : {0U, 1U})
-      holder.at[k].tangential_force += std::exchange(other.at[k].tangential_force, 0.0);
-  }
 }
 
 }  // namespace
@@ -170,47 +159,6 @@ bool GaussIsland::list(const GaussStep& step) {
   }
   sort_unique(bodies_);
   return !closed_.empty();
-}
-
-// An earlier contact that presses the same body at the same point along the same normal, as where two fixed
-// bodies with one law have a corner in common: only their sum is determined. Null if there is none.
-GaussContact* GaussIsland::same_contact(const GaussStep& step, int i) {
-  const World& world = step.world;
-  const Contacts& found = step.found.contacts;
-  if (world.infinite_mass(found.a[i]) == world.infinite_mass(found.b[i])) return nullptr;
-  const auto mover = [&](int k) { return world.infinite_mass(found.a[k]) ? found.b[k] : found.a[k]; };
-  const auto towards = [&](int k) {
-    return Vec2(world.infinite_mass(found.a[k]) ? found.normal[k] : -found.normal[k]);
-  };
-  const double near = kSameLine * smaller_size(world, found.a[i], found.b[i]);
-  for (GaussContact& other : closed_) {
-    const int k = other.contact;
-    if (found.kinetic_friction[k] != found.kinetic_friction[i] ||
-        found.static_friction[k] != found.static_friction[i])
-      continue;
-    if (!other.presses || world.infinite_mass(found.a[k]) == world.infinite_mass(found.b[k])) continue;
-    if (mover(k) == mover(i) && (towards(k) - towards(i)).norm() <= kSameLine &&
-        (step.found.point[static_cast<std::size_t>(k)] - step.found.point[static_cast<std::size_t>(i)])
-                .norm() <= near)
-      return &other;
-  }
-  return nullptr;
-}
-
-// That of an earlier contact of the same bodies with the same line of tangential force, or a new one: between
-// two flat faces only the sum of the tangential forces is determined.
-int GaussIsland::face_of(const GaussStep& step, const GaussContact& c) const {
-  const FoundContacts& found = step.found;
-  const Vec2& normal = found.contacts.normal[c.contact];
-  const Vec2& point = found.point[static_cast<std::size_t>(c.contact)];
-  const double near = kSameLine * smaller_size(step.world, c.a, c.b);
-  for (const GaussContact& other : closed_) {
-    if (other.a == c.a && other.b == c.b &&
-        (found.contacts.normal[other.contact] - normal).norm() <= kSameLine &&
-        std::abs(normal.dot(found.point[static_cast<std::size_t>(other.contact)] - point)) <= near)
-      return other.face;
-  }
-  return static_cast<int>(held_.size());
 }
 
 // A contact at the start, and whether it sticks from there on. False if it turns too far within the step.
@@ -352,7 +300,7 @@ void GaussIsland::build(const GaussStep& step) {
     c.holds = c.presses && c.sticks && !held_[static_cast<std::size_t>(c.face)];
     if (c.holds) held_[static_cast<std::size_t>(c.face)] = true;
     if (c.presses) rows_ += c.holds ? 2 : 1;
-    if (c.holds) hold_face(closed_, c);
+    if (c.holds) hold_face(c);
   }
   matrix_.setZero(rows_, rows_);
   for (const GaussContact& c : closed_) {
@@ -473,22 +421,6 @@ void GaussIsland::note_break(int face, double time, double slips) {
     if (c.face != face) continue;
     c.breaks_at = time;
     c.breaks_to = slips;
-  }
-}
-
-void GaussIsland::share_friction() {
-  for (const std::size_t k : {0U, 1U}) {
-    for (std::size_t first = 0, last = 0; first < closed_.size(); first = last) {
-      double tangential = 0.0;
-      double normal = 0.0;
-      for (last = first; last < closed_.size() && closed_[last].face == closed_[first].face; ++last) {
-        tangential += closed_[last].at[k].tangential_force;
-        normal += closed_[last].at[k].normal_force;
-      }
-      if (!(normal > 0.0)) continue;
-      for (std::size_t i = first; i < last; ++i)
-        closed_[i].at[k].tangential_force = tangential * closed_[i].at[k].normal_force / normal;
-    }
   }
 }
 

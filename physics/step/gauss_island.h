@@ -81,8 +81,8 @@ class GaussIsland {
   bool solve(const GaussStep& step);
   // A face breaks away at this time, in s.
   void note_break(int face, double time, double slips);
-  // Shares what holds a face among its contacts, by what presses them.
-  void share_friction();
+  // Shares what holds a face among its contacts, by how much each can hold.
+  void share_friction(const GaussStep& step);
   // The constant forces again.
   void put_back(const GaussStep& step) const;
 
@@ -102,6 +102,8 @@ class GaussIsland {
   bool list(const GaussStep& step);
   [[nodiscard]] GaussContact* same_contact(const GaussStep& step, int i);
   [[nodiscard]] int face_of(const GaussStep& step, const GaussContact& c) const;
+  // Gives a contact the tangential forces of all that stick on its face.
+  void hold_face(GaussContact& holder);
   bool start(const GaussStep& step, GaussContact& c) const;
   [[nodiscard]] bool is_needed(const GaussStep& step) const;
   void sample(const GaussStep& step);

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <utility>
 #include <vector>
 
 #include "physics/run/simulation.h"
@@ -15,15 +16,16 @@ constexpr double kG = 9.81;
 constexpr double kStatic = 0.5;
 constexpr double kKinetic = 0.3;
 
-// The velocity and the way of a mass (kg) at `time` (s) whose force grows by `rate` (N/s).
+// The velocity and the way of a mass (kg) at `time` (s) whose force grows by `rate` (N/s), held by this much of
+// its weight and then by that.
 struct Slid {
   double speed = 0.0;  // m/s
   double way = 0.0;    // m
 };
-Slid slid(double mass, double rate, double time) {
-  const double from = kStatic * mass * kG / rate;
+Slid slid(double mass, double rate, double time, double held = kStatic, double rubbed = kKinetic) {
+  const double from = held * mass * kG / rate;
   const double t = time - from;
-  const double a = (kStatic - kKinetic) * kG;
+  const double a = (held - rubbed) * kG;
   return {a * t + 0.5 * rate / mass * t * t, 0.5 * a * t * t + rate / mass * t * t * t / 6.0};
 }
 
@@ -62,7 +64,7 @@ RunSetup pushed(std::vector<Body> bodies, const std::string& first, double force
 // m: velocity Verlet, of order 2, is behind where a force changes in time.
 double way_off(const Simulation& run) {
   const double h = run.method().step;
-  return run.method().integrator == IntegratorId::kVelocityVerlet ? h * h : 2e-6;
+  return run.method().integrator == IntegratorId::kVelocityVerlet ? h * h : 1e-10;
 }
 
 template <class Check>
@@ -89,16 +91,49 @@ TEST(BreakAway, OfABlockOnSeveralTiles) {
         bodies.push_back(test::fixed(fmt::format("tile {}", i), Box{width, 0.1},
                                      {0.02 + width * (i - 0.5 * (tiles - 1)), -0.05}));
       if (tiles == 3) bodies.push_back(test::fixed("last", Box{2.0, 0.1}, {0.02 + 1.5 * width + 1.0, -0.05}));
-      bodies.push_back(block("block", 0.0, 1.3));
+      // Also between them in the order of the bodies.
+      const int place = tiles == 2 ? 1 : tiles;
+      bodies.insert(bodies.begin() + place, block("block", 0.0, 1.3));
       const Vec2 shift = {turned, -7.0 * turned};
       SCOPED_TRACE(testing::Message() << tiles << " tiles, turned by " << turned);
       for_each_method(pushed(bodies, "block", 12.0, 0.8, turned, shift), 0.8, [&](const Simulation& run) {
-        const int last = run.state().size() - 1;
         const Vec2 along = turned_by(turned, Vec2::UnitX());
-        EXPECT_NEAR(run.state().velocity(last).dot(along), right.speed, 1e-9);
-        EXPECT_NEAR((run.state().position(last) - shift).dot(along), right.way, way_off(run));
+        EXPECT_NEAR(run.state().velocity(place).dot(along), right.speed, 1e-9);
+        EXPECT_NEAR((run.state().position(place) - shift).dot(along), right.way, way_off(run));
+        EXPECT_EQ(run.status(), "ok");
       });
     }
+  }
+}
+
+// Each corner on a tile of its own material; the push tilts the load towards the one in front.
+TEST(BreakAway, OfABlockOnTilesOfTwoMaterials) {
+  constexpr double kUntil = 0.7;  // s
+  for (const auto& [behind, in_front] : {std::pair(0.2, 0.6), std::pair(0.7, 0.3)}) {
+    // Both at the same share of what holds.
+    constexpr double kShare = 0.75;
+    // Of the weight: with N1 + N2 = m g and 0.15 (N2 - N1) = 0.05 T, T = f1 N1 + f2 N2.
+    const auto friction = [](double f1, double f2) { return 0.5 * (f1 + f2) / (1.0 + (f1 - f2) / 6.0); };
+    const Slid right =
+        slid(1.3, 15.0, kUntil, friction(behind, in_front), friction(kShare * behind, kShare * in_front));
+    RunSetup s = pushed({test::fixed("behind", Box{2.0, 0.1}, {-0.98, -0.05}),
+                         test::fixed("in front", Box{2.0, 0.1}, {1.02, -0.05}), block("block", 0.0, 1.3)},
+                        "block", 12.0, 0.8, 0.0, Vec2::Zero());
+    for (const auto& [i, holds] : {std::pair(0U, behind), std::pair(1U, in_front)}) {
+      Material material = s.scene.materials.front();
+      material.name = s.scene.bodies[i].name;
+      s.scene.bodies[i].material = material.name;
+      s.scene.materials.push_back(material);
+      material.static_friction = holds;
+      material.kinetic_friction = kShare * holds;
+      s.scene.pairs.push_back({material.name, "block", material});
+    }
+    SCOPED_TRACE(testing::Message() << behind << " behind, " << in_front << " in front");
+    for_each_method(s, kUntil, [&](const Simulation& run) {
+      EXPECT_NEAR(run.state().v(0, 2), right.speed, 1e-8);
+      EXPECT_NEAR(run.state().q(0, 2), right.way, way_off(run));
+      EXPECT_EQ(run.status(), "ok");
+    });
   }
 }
 
