@@ -4,6 +4,8 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QSaveFile>
 #include <QStandardPaths>
 #include <fmt/format.h>
@@ -18,6 +20,31 @@ constexpr const char* kSuffix = ".json";
 
 QString lock_of(const QString& file) { return file + ".lock"; }
 QString starts_of(const QString& file) { return file + ".starts"; }
+QString source_of(const QString& file) { return file + ".source"; }
+
+void remove_files(const QString& file) {
+  for (const QString& each : {file, starts_of(file), source_of(file)}) QFile::remove(each);
+}
+
+// When the file was written last; empty if there is none.
+QString time_of(const QString& file) { return QFileInfo(file).lastModified().toString(Qt::ISODateWithMs); }
+
+QJsonObject read_source(const QString& work) {
+  QFile file(source_of(work));
+  return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object() : QJsonObject();
+}
+
+QByteArray written(const WorkSource& source) {
+  const QJsonObject all{{"name", source.name}, {"file", source.file}, {"time", time_of(source.file)}};
+  return QJsonDocument(all).toJson();
+}
+
+void write_beside(const QString& name, const QByteArray& text) {
+  QSaveFile file(name);
+  if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit()) return;
+  throw SceneError(fmt::format("{}: a part of unsaved work cannot be written: {}", name.toStdString(),
+                               file.errorString().toStdString()));
+}
 
 // Exclusive while this process holds it; released when the process ends.
 std::unique_ptr<QLockFile> locked(const QString& file) {
@@ -50,16 +77,26 @@ KeptStarts KeptWork::starts() const {
   }
 }
 
+WorkSource KeptWork::source() const {
+  const QJsonObject read = read_source(file_);
+  return {read["name"].toString(), read["file"].toString()};
+}
+
+bool KeptWork::file_changed() const {
+  const QJsonObject read = read_source(file_);
+  const QString now = time_of(read["file"].toString());
+  return !now.isEmpty() && now != read["time"].toString();
+}
+
 void KeptWork::remove() {
-  QFile::remove(file_);
-  QFile::remove(starts_of(file_));
+  remove_files(file_);
   lock_.reset();
 }
 
 void KeptWork::set_aside() {
-  QFile::remove(starts_of(file_));
   QFile::remove(file_ + ".damaged");
-  if (!QFile::rename(file_, file_ + ".damaged")) QFile::remove(file_);
+  QFile::rename(file_, file_ + ".damaged");
+  remove_files(file_);
   lock_.reset();
 }
 
@@ -76,23 +113,20 @@ std::vector<KeptWork> kept_work(const QString& folder) {
   return all;
 }
 
-void Autosave::keep(const Preset& preset, const KeptStarts& starts) {
+void Autosave::keep(const Preset& preset, const KeptStarts& starts, const WorkSource& source) {
   if (file_.isEmpty()) choose_file();
   if (std::string text = write_preset(preset); text != written_) {
     save_preset(preset, file_.toStdString());
     written_ = std::move(text);
   }
   if (QByteArray text = carom::written_starts(starts); text != written_starts_) {
-    write_starts(text);
+    write_beside(starts_of(file_), text);
     written_starts_ = std::move(text);
   }
-}
-
-void Autosave::write_starts(const QByteArray& text) {
-  QSaveFile file(starts_of(file_));
-  if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit()) return;
-  throw SceneError(fmt::format("{}: the starts of unsaved work cannot be written: {}",
-                               file.fileName().toStdString(), file.errorString().toStdString()));
+  if (QByteArray text = written(source); text != written_source_) {
+    write_beside(source_of(file_), text);
+    written_source_ = std::move(text);
+  }
 }
 
 void Autosave::choose_file() {
@@ -112,13 +146,11 @@ void Autosave::choose_file() {
 }
 
 void Autosave::forget() {
-  if (!file_.isEmpty()) {
-    QFile::remove(file_);
-    QFile::remove(starts_of(file_));
-  }
+  if (!file_.isEmpty()) remove_files(file_);
   file_.clear();
   written_.clear();
   written_starts_.clear();
+  written_source_.clear();
   lock_.reset();
 }
 

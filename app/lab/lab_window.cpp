@@ -112,14 +112,15 @@ void LabWindow::connect_session() {
   connect(files_, &DocumentFiles::stayed, this, [this] { list_->set_current(session_.name()); });
   connect(files_, &DocumentFiles::saved, this, &LabWindow::say_saved);
   connect(recovery_, &WorkRecovery::keptChanged, this, &LabWindow::show_notices);
-  connect(recovery_, &WorkRecovery::restoreAsked, this, [this](const Preset& work, const KeptStarts& starts) {
-    files_->when_saved([this, work, starts] {
-      show_scene(work, {}, {});
-      session_.starts().recover(starts);
-      session_.edits().resetClean();
-      recovery_->restored();
-    });
-  });
+  connect(recovery_, &WorkRecovery::restoreAsked, this,
+          [this](const Preset& work, const KeptStarts& starts, const WorkSource& source) {
+            files_->when_saved([this, work, starts, source] {
+              show_scene(work, source.name, source.file);
+              session_.starts().recover(starts);
+              session_.edits().resetClean();
+              recovery_->restored();
+            });
+          });
 }
 
 // --- the document

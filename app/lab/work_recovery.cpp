@@ -1,5 +1,6 @@
 #include "app/lab/work_recovery.h"
 
+#include <QFileInfo>
 #include <QLocale>
 
 #include "app/lab/notice_bar.h"
@@ -46,7 +47,7 @@ void WorkRecovery::keep_now() {
   try {
     Preset work = session_.document();
     if (const std::optional<View> view = view_()) work.view = view;
-    autosave_->keep(work, session_.starts().kept());
+    autosave_->keep(work, session_.starts().kept(), {session_.name(), session_.file()});
     kept_ = session_.history().revision();
     not_kept_.clear();
   } catch (const SceneError& error) {
@@ -61,9 +62,13 @@ void WorkRecovery::offer() {
   const KeptWork& work = offered_.front();
   const QString time = time_text(work.time());
   try {
-    bar_.say(tr("Carom ended unexpectedly. The work of %1 on “%2” can be brought back.")
-                 .arg(time, QString::fromStdString(work.preset().title)),
-             tr("Restore"), tr("Discard"));
+    QString said = tr("Carom ended unexpectedly. The work of %1 on “%2” can be brought back.")
+                       .arg(time, QString::fromStdString(work.preset().title));
+    if (work.file_changed()) {
+      said += " " + tr("%1 was changed since by another program: the work will be saved under a new name.")
+                        .arg(QFileInfo(work.source().file).fileName());
+    }
+    bar_.say(said, tr("Restore"), tr("Discard"));
   } catch (const SceneError& error) {
     bar_.say(tr("Carom ended unexpectedly. The work of %1 cannot be brought back: %2")
                  .arg(time, QString::fromStdString(error.what())),
@@ -75,7 +80,10 @@ void WorkRecovery::offer() {
 void WorkRecovery::restore() {
   if (offered_.empty()) return;
   try {
-    emit restoreAsked(offered_.front().preset(), offered_.front().starts());
+    const KeptWork& work = offered_.front();
+    WorkSource source = work.source();
+    if (work.file_changed()) source.file.clear();
+    emit restoreAsked(work.preset(), work.starts(), source);
   } catch (const SceneError&) {
     offer();  // it was readable before: reports it now
   }

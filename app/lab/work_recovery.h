@@ -34,7 +34,8 @@ class WorkRecovery : public QObject {
   [[nodiscard]] const QString& not_kept() const { return not_kept_; }
 
  signals:
-  void restoreAsked(const carom::Preset& work, const carom::KeptStarts& starts);
+  void restoreAsked(const carom::Preset& work, const carom::KeptStarts& starts,
+                    const carom::WorkSource& source);
   void keptChanged();
 
  private:

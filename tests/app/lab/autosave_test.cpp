@@ -16,6 +16,8 @@
 #include <csignal>
 #include <gtest/gtest.h>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "app/lab/lab_window.h"
 #include "app/lab/notice_bar.h"
@@ -217,6 +219,64 @@ TEST_F(AutosaveTest, TheStartsComeBackWithTheWork) {
   window->session().starts().go_to_first();
   EXPECT_EQ(window->session().history().bodies()[0].position,
             read_preset(find_preset("head-on")).scene.bodies[0].position);
+}
+
+// The parts of the work of a window that keeps it and is then killed.
+class KeptFileTest : public AutosaveTest {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(QFile::copy(QString::fromStdString(find_preset("head-on").string()), mine_));
+    {
+      const auto window = lab(kept());
+      ASSERT_TRUE(window->open(mine_.toStdString()));
+      ASSERT_TRUE(test::wait_in_event_loop([&] { return window->frame() != nullptr; }));
+      add_body(*window);
+      window->keep_now();
+      for (const QString& name : QDir(kept()).entryList(QDir::Files)) parts_.emplace_back(name, bytes(name));
+    }
+    for (const auto& [name, text] : parts_) {
+      if (name.endsWith(".json")) leave_work(name, text);
+    }
+    for (const auto& [name, text] : parts_) {
+      if (name.endsWith(".json") || name.endsWith(".lock")) continue;
+      QFile file(kept() + "/" + name);
+      ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+      file.write(text);
+    }
+  }
+  [[nodiscard]] std::size_t saved_bodies() const { return all_bodies(read_preset(mine_.toStdString())).size(); }
+
+  const QString mine_ = folder_.filePath("mine.json");
+  std::vector<std::pair<QString, QByteArray>> parts_;
+};
+
+TEST_F(KeptFileTest, TheWorkIsSavedToItsFileAgain) {
+  const auto window = lab(kept());
+  click(*window, "Restore");
+  EXPECT_TRUE(window->windowTitle().startsWith("mine.json")) << window->windowTitle().toStdString();
+  EXPECT_TRUE(window->isWindowModified());
+  EXPECT_TRUE(window->save());
+  EXPECT_EQ(saved_bodies(), 3U);
+}
+
+TEST_F(KeptFileTest, AFileThatIsGoneIsMadeAgain) {
+  ASSERT_TRUE(QFile::remove(mine_));
+  const auto window = lab(kept());
+  click(*window, "Restore");
+  EXPECT_TRUE(window->save());
+  EXPECT_EQ(saved_bodies(), 3U);
+}
+
+TEST_F(KeptFileTest, AFileThatWasChangedSinceIsNotReplaced) {
+  QFile mine(mine_);
+  ASSERT_TRUE(mine.open(QIODevice::ReadWrite));
+  ASSERT_TRUE(mine.setFileTime(QDateTime::currentDateTime().addSecs(60), QFileDevice::FileModificationTime));
+  mine.close();
+  const auto window = lab(kept());
+  EXPECT_TRUE(said(*window).contains("mine.json was changed since")) << said(*window).toStdString();
+  click(*window, "Restore");
+  EXPECT_TRUE(window->session().file().isEmpty());
+  EXPECT_EQ(saved_bodies(), 2U);
 }
 
 // Killed at any moment, also while it writes.
