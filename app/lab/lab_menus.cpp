@@ -335,8 +335,10 @@ void LabWindow::make_start_chip_menu() {
   chips_->start_chip()->setMenu(menu);
   menu->addAction(undo_);
   menu->setToolTipsVisible(true);
-  QAction* before = menu->addAction(tr("&Put the edit into the start before instead"), this,
-                                    [this] { session_.starts().put_into_start_before(); });
+  QAction* before = menu->addAction(tr("&Put the edit into the start before instead"), this, [this] {
+    view_->hold_arrows();
+    session_.starts().put_into_start_before();
+  });
   connect(menu, &QMenu::aboutToShow, this, [this, before] {
     const QString why_not = session_.starts().why_not_into_start_before();
     before->setEnabled(why_not.isEmpty());

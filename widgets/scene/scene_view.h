@@ -96,6 +96,9 @@ class SceneView : public QWidget {
   [[nodiscard]] bool can_align() const { return tools_->can_align(); }
   // The scene was edited by other means: what the bubble says is over.
   void scene_edited() { tools_->scene_edited(); }
+  // From now on arrows keep the scale that they have, also in another start; that of a force which is added
+  // too.
+  void hold_arrows(const SceneEdits& edits = {});
   // Says beside the mouse why an edit could not be, if it is one of the view that is being told.
   bool refuse(const QString& sentence) { return tools_->refuse(sentence); }
   // What stands beside the mouse; empty: nothing.
@@ -165,7 +168,6 @@ class SceneView : public QWidget {
   void hold_speeds(const Peaks& before);
   [[nodiscard]] std::optional<ScaleKind> scale_under(const QPointF& at) const;
   bool change_scale(const QPointF& at, bool halve);  // false: there is none
-  void hold_arrows(const SceneEdits& edits);
   [[nodiscard]] bool shows_forces() const;
   [[nodiscard]] SceneSight sight() const;
   void show_typing(const QString& first);

@@ -145,5 +145,34 @@ TEST_F(LabStartsTest, AChipNamesTheNewStartForAsLongAsItHolds) {
   EXPECT_TRUE(wait_for([this] { return std::abs(time() - 0.8) < 1e-9; }));
 }
 
+// Arrows stay as long as they were per m/s, though the start before is much faster or slower.
+TEST_F(LabStartsTest, ArrowsKeepTheirScaleWhereAnEditIsPutIntoTheStartBefore) {
+  const auto scale = [this] {
+    const Drawing::ArrowKey& key = window_.scene_view().drawing().velocity_key;
+    return key.length / key.amount;
+  };
+  const auto until_start_has = [this](double speed) {
+    return wait_for([&] {
+      const auto frame = window_.frame();
+      return time() == 0.0 && frame->scene && frame->scene->bodies[0].velocity.x() == speed;
+    });
+  };
+  Body body = window_.session().runs().scene()->bodies[0];
+  body.velocity.x() = 6.0;
+  window_.session().edit({Replace<Body>{body}}, "Speed");
+  ASSERT_TRUE(until_start_has(6.0));
+  const double before = scale();
+  ASSERT_GT(before, 0.0);
+  start_chip()->menu()->actions()[1]->trigger();
+  ASSERT_TRUE(until_start_has(6.0));
+  EXPECT_DOUBLE_EQ(scale(), before);
+  undo();
+  ASSERT_TRUE(wait_for([this] { return std::abs(time() - 0.8) < 1e-9; }));
+  EXPECT_DOUBLE_EQ(scale(), before);
+  window_.session().edits().redo();
+  ASSERT_TRUE(until_start_has(6.0));
+  EXPECT_DOUBLE_EQ(scale(), before);
+}
+
 }  // namespace
 }  // namespace carom
