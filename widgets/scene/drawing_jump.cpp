@@ -116,8 +116,7 @@ class Builder {
       down_ = std::max(down_, std::min(half - side_.dot(from), kMostReach * pixel_));
     }
     // Through the bodies where all are on one side of the contact: on the other one is a wall.
-    at_wall_ = least > 0.0 || most < 0.0;
-    if (at_wall_) middle_ += (least > 0.0 ? least : most) * first_.normal;
+    if (least > 0.0 || most < 0.0) middle_ += (least > 0.0 ? least : most) * first_.normal;
     for (std::size_t level = 0; level < bodies_.size(); ++level) {
       add_velocity(level, up_, in_.jump->before(), true);
       add_velocity(level, -down_, in_.jump->after(), false);
@@ -157,13 +156,11 @@ class Builder {
     const QString text = name(body) + ' ' +
                          figure(without_rounding(state.velocity(body).norm(), fastest()), 3) +
                          QStringLiteral(" m/s");
-    // Clear of the line: on the side from which the arrow comes, or else on that of the body. At a wall always
-    // there, then beyond the arrow.
+    // Clear of the line and of what is beyond it: on the side of the body, past an arrow that leads there.
     const double leads = arrow.dot(first_.normal);
     const bool crosses = std::abs(leads) > kAcross * arrow.norm();
-    const double away = crosses && !at_wall_ ? -leads : along(from);
-    const Vec2 text_side = std::copysign(1.0, away) * first_.normal;
-    const Vec2 text_at = crosses && leads * away > 0.0 ? Vec2(at + arrow) : at;
+    const Vec2 text_side = std::copysign(1.0, along(from)) * first_.normal;
+    const Vec2 text_at = crosses && leads * along(from) > 0.0 ? Vec2(at + arrow) : at;
     add({at, at + arrow, ink(kColors[level]), kJumpWidth, before}, text, text_at, text_side, !before);
   }
 
@@ -238,8 +235,7 @@ class Builder {
   double pixel_;  // m
   const std::vector<BodyIndex>& bodies_;
   const std::vector<std::size_t>& impacts_;
-  Vec2 middle_;           // m, of the line before and after which the velocities stand
-  bool at_wall_ = false;  // all bodies are on one side of the contact
+  Vec2 middle_;  // m, of the line before and after which the velocities stand
   Vec2 side_ = Vec2::UnitY();
   double level_ = kLevel;  // px
   double up_ = 0.0;        // m, how far the bodies reach from the contact

@@ -85,6 +85,15 @@ TEST_F(DrawingJump, TextsStandClearOfBodiesHandlesAndEachOther) {
   EXPECT_EQ(handle.covered_by(jump_places(view_.drawing(), view_.camera(), view_.font(), handle).front()), 0);
 }
 
+// Over and under the bodies, the dashed line between them is left free.
+TEST_F(DrawingJump, VelocitiesStandOnTheSideOfTheirBody) {
+  const std::vector<QRectF> all = jump_places(view_.drawing(), view_.camera(), view_.font(), {});
+  const double line = view_.camera().to_screen(jump().arrows.back().from).x();
+  ASSERT_EQ(all.size(), 7U);
+  for (const std::size_t of_a : {0U, 1U}) EXPECT_LT(all[of_a].right(), line) << of_a;
+  for (const std::size_t of_b : {2U, 3U}) EXPECT_GT(all[of_b].left(), line) << of_b;
+}
+
 TEST_F(DrawingJump, TheScaleOfVelocitiesStays) { EXPECT_GT(view_.drawing().velocity_key.amount, 0.0); }
 
 TEST_F(DrawingJump, OneSwitchHidesIt) {
