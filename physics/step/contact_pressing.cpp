@@ -67,12 +67,25 @@ double ContactPressing::between(const World& world, const ContactMemory& memory,
   Eigen::Vector3d of_a = pressing_.col(a);
   Eigen::Vector3d of_b = pressing_.col(b);
   const auto& forces = memory.forces;
+  const auto take_off = [&](BodyIndex body, std::size_t k) {
+    (body == a ? of_a : of_b) -= forces[k].a == body ? pushes_[k].of_a : pushes_[k].of_b;
+  };
   const auto before = [](const ContactForce& f, const BodyPair& pair) { return std::pair(f.a, f.b) < pair; };
   auto k = static_cast<std::size_t>(std::lower_bound(forces.begin(), forces.end(), std::pair(a, b), before) -
                                     forces.begin());
   for (; k < memory.support.size() && forces[k].a == a && forces[k].b == b; ++k) {
-    of_a -= pushes_[k].of_a;
-    of_b -= pushes_[k].of_b;
+    take_off(a, k);
+    take_off(b, k);
+  }
+  if (world.is_immovable(a) != world.is_immovable(b) &&
+      forces.size() <= static_cast<std::size_t>(kFewContactsOfScene)) {
+    const BodyIndex mover = world.is_immovable(a) ? b : a;
+    for (k = 0; k < memory.support.size(); ++k) {
+      const ContactForce& f = forces[k];
+      if ((f.a != mover && f.b != mover) || (f.a == a && f.b == b)) continue;
+      if (world.is_immovable(f.a == mover ? f.b : f.a) && std::abs(cross(f.normal, normal)) <= kTogether)
+        take_off(mover, k);
+    }
   }
   const Vec2 arm_a = point - world.trajectories.at_start(a).head<2>();
   const Vec2 arm_b = point - world.trajectories.at_start(b).head<2>();

@@ -313,7 +313,8 @@ bool EventDrivenImpacts::resolve_alone(const Step& step, BodyIndex a, BodyIndex 
                                        double time, bool guarded) {
   World& world = step.world;
   SurfaceLaw law = world.material(contact, a, b);
-  if (comes_to_rest(step, a, b, contact)) law.restitution = 0.0;
+  const bool rests = comes_to_rest(step, a, b, contact);
+  if (rests) law.restitution = 0.0;
   const ImpactEffect effect = apply_impact(world, a, b, contact, law, time);
   if (effect == ImpactEffect::kJoined) {
     note_disturbed(step, a, b, time);
@@ -321,7 +322,7 @@ bool EventDrivenImpacts::resolve_alone(const Step& step, BodyIndex a, BodyIndex 
     rebuild_all(step);
     return false;
   }
-  const bool divides = classify_rebound(step, a, b, contact, world.material(contact, a, b), time, guarded);
+  const bool divides = classify_rebound(step, a, b, contact, rests, time, guarded);
   note_disturbed(step, a, b, time);
   count_at_once(world, a, b, time);
   const int island_a = world.trajectories.island_of(a);
@@ -360,8 +361,9 @@ void EventDrivenImpacts::count_at_once(World& world, BodyIndex a, BodyIndex b, d
 }
 
 bool EventDrivenImpacts::classify_rebound(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact,
-                                          const SurfaceLaw& material, double time, bool guarded) {
+                                          bool rests, double time, bool guarded) {
   World& world = step.world;
+  const SurfaceLaw& material = world.material(contact, a, b);
   if (!(material.restitution < 1.0)) return false;
   const double rebound = world.parting_speed(a, b, contact);
   const double press = pressing(world, a, b, contact, time);
@@ -382,7 +384,7 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, BodyIndex a, BodyInd
   if (guarded && rebound < pressed_in(world, a, b, step.h)) {
     if (step.resting == nullptr) world.note(&Notices::resting_since, now, {a, b});
     end_of_step_.add(a, b, true);
-  } else if (material.restitution > 0.0 &&
+  } else if (material.restitution > 0.0 && !rests &&
              rebound < kCollapseShare * (world.trajectories.at_start(a).segment<2>(3).norm() +
                                          world.trajectories.at_start(b).segment<2>(3).norm()) &&
              time - last_impact_ <= 64.0 * kEpsilon * (std::abs(time) + step.h)) {

@@ -85,10 +85,10 @@ class EventDrivenImpacts {
   // Fills cluster_ with the touches of all bodies in contact with a or b, directly or through others.
   void find_touching(World& world, BodyIndex a, BodyIndex b, double time, double tolerances);
   bool find_touches(World& world, BodyIndex a, BodyIndex b, double time, double tolerances);
-  // After an impact with e < 1: decides whether the pair rests from now on or has collapsed. Returns the same
-  // as resolve().
-  bool classify_rebound(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact,
-                        const SurfaceLaw& material, double time, bool guarded);
+  // After an impact with e < 1: decides whether the pair rests from now on or has collapsed; `rests`: all of
+  // its bounces were lost at once. Returns the same as resolve().
+  bool classify_rebound(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact, bool rests,
+                        double time, bool guarded);
   [[nodiscard]] bool comes_to_rest(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact) const;
   void note_disturbed(const Step& step, BodyIndex a, BodyIndex b, double time);
   void count_at_once(World& world, BodyIndex a, BodyIndex b, double time);

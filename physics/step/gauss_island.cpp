@@ -32,8 +32,8 @@ constexpr double kAccepted = 1e4;
 // turns.
 constexpr double kNeeded = 1e3;
 constexpr double kLeft = 1e-11;
-// Of what presses a contact in a step, times the step: a contact that is open or penetrated by more is none
-// yet, and how much of a gap that is left from before a step closes.
+// Of what presses a contact in a step, times the step: a contact that is penetrated by more is none yet, nor is
+// one that is open by more than a step closes of a gap that is left from before.
 constexpr double kClosed = 0.05;
 constexpr double kReturns = 0.01;
 // Relative: a difference from full friction.
@@ -139,7 +139,7 @@ bool GaussIsland::list(const GaussStep& step) {
     const double press = std::max(step.found.press[static_cast<std::size_t>(i)],
                                   found.normal_impulse[i] / step.h * answer);  // m/s²
     const double shut = press * step.h * step.h;                               // m
-    const bool closed = std::abs(found.gap[i]) <= kClosed * shut;
+    const bool closed = found.gap[i] >= -kClosed * shut && found.gap[i] <= kReturns * shut;
     if (presses && (!closed || found.rolling_impulse[i] != 0.0)) return false;
     if (!closed) continue;
     GaussContact c;

@@ -235,7 +235,7 @@ std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, BodyIn
   for (std::size_t k = 0; k < cluster_.touches().size(); ++k) {
     const auto& [i, j, contact, rests] = cluster_.touches()[k];
     if (!(cluster_.impacts()[k].normal > 0.0)) continue;
-    divides |= classify_rebound(step, i, j, contact, world.material(contact, i, j), time, false);
+    divides |= classify_rebound(step, i, j, contact, rests, time, false);
     note_disturbed(step, i, j, time);
   }
   count_at_once(world, a, b, time);

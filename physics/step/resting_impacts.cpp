@@ -24,6 +24,8 @@ constexpr int kMostStrikes = 16;
 constexpr int kListed = 8;
 // Relative to the smaller body: less is left to the impacts at the step's end.
 constexpr double kMovedIn = 1e-5;
+// Times that a flight is halved in search of a point that its bodies have no longer at the end.
+constexpr int kMostHalves = 30;
 
 // All contacts that touch, beside the hits among them.
 void add_touches(const World& world, const FoundContacts& found, std::vector<Hit>& hits) {
@@ -48,19 +50,33 @@ std::optional<LandingTime> RestingContacts::first_landing(World& world, double e
   const Geometry& shapes = world.shapes();
   for (const Landing& landing : found_.landings) {
     const auto& [a, b, id] = landing;
+    const double gone = shapes.size[a] + shapes.size[b];
     const auto gap = [&, a = a, b = b, id = id](double t) {
       const Manifold m = manifold_of(shapes, a, shapes.pose(a, world.trajectories.at(a, t).head<3>()), b,
                                      shapes.pose(b, world.trajectories.at(b, t).head<3>()), id,
                                      std::numeric_limits<double>::infinity());
       const int k = point_with(m, id);
-      return k >= 0 ? m.points[k].gap : shapes.size[a] + shapes.size[b];
+      return k >= 0 ? m.points[k].gap : gone;
     };
     const double at_start = gap(0.0);
-    const double at_end = gap(time);
+    // A corner that has sunk in beside the end of a face is nearer to another one: it was on this face before.
+    double until = time;
+    double at_end = gap(until);
+    double before = 0.0;
+    for (int k = 0; at_end == gone && k < kMostHalves; ++k) {
+      const double half = 0.5 * (before + until);
+      const double there = gap(half);
+      if (there < 0.0 || there == gone) {
+        until = half;
+        at_end = there;
+      } else {
+        before = half;
+      }
+    }
     if (!(at_end < 0.0 && at_end < at_start)) continue;
     // Bodies that were parted elsewhere may have been moved into each other here.
     if (at_start <= 0.0 && at_start > -kMovedIn * smaller_size(world, a, b)) continue;
-    time = at_start > 0.0 ? bracketed_root(gap, 0.0, at_start, time, at_end) : 0.0;
+    time = at_start > 0.0 ? bracketed_root(gap, 0.0, at_start, until, at_end) : 0.0;
     first = {landing, time};
     if (time == 0.0) break;
   }
