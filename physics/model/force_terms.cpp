@@ -7,7 +7,7 @@ namespace carom {
 
 ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, const Needs& needs) {
   ForceTerms t;
-  static_cast<CommonForces&>(t) = forces;
+  static_cast<CommonForces&>(t) = static_cast<const CommonForces&>(forces);
   each_common_force(forces, [&t](const CommonForce& force, const auto& value, const auto&...) {
     t.on_each = t.on_each || (force.on == ActsOn::kEachBody && acts(value));
   });

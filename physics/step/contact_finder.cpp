@@ -75,6 +75,7 @@ void FoundContacts::clear() {
   old.clear();
   press.clear();
   turned_away.clear();
+  returns.clear();
   landings.clear();
   hits.clear();
 }
@@ -210,6 +211,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
       if (!(away > rounding)) away = 0.0;
     }
     found.turned_away.push_back(away);
+    found.returns.push_back(0.0);
     c.target[i] = slow || hits ? -found.room(i) / step.h : -std::numeric_limits<double>::infinity();
     if (hits && (found.hits.empty() || found.hits.back() != std::pair(a, b))) found.hits.emplace_back(a, b);
     c.slip_target[i] = 0.0;

@@ -41,6 +41,8 @@ struct FoundContacts {
   std::vector<double> press;           // m/s², see ContactPressing::between
   // m: how much farther apart than the normal of now says both would be at the end, if they went straight on.
   std::vector<double> turned_away;
+  // m/s, in the contacts' targets: what brings bodies back onto the surfaces that the step's method leaves.
+  std::vector<double> returns;
   std::vector<Landing> landings;  // that may happen in this step
   // Pairs that close too fast to rest, where impacts are not located in time; in rising order.
   std::vector<BodyPair> hits;

@@ -26,7 +26,7 @@ void each_of_one(const World& world, BodyIndex body, const Visit& visit) {
   const WeldedBodies& welded = world.trajectories.welded();
   if (!welded.is_welded(body) || world.infinite_mass(body)) return visit(body);
   for (const BodyIndex i : world.trajectories.members(world.trajectories.island_of(body))) {
-    if (welded.are_one(i, body)) visit(i);
+    if (world.move_as_one(i, body)) visit(i);
   }
 }
 

@@ -82,8 +82,8 @@ double ContactPressing::between(const World& world, const ContactMemory& memory,
     const BodyIndex mover = world.is_immovable(a) ? b : a;
     for (k = 0; k < memory.support.size(); ++k) {
       const ContactForce& f = forces[k];
-      if ((f.a != mover && f.b != mover) || (f.a == a && f.b == b)) continue;
-      if (world.is_immovable(f.a == mover ? f.b : f.a) && std::abs(cross(f.normal, normal)) <= kTogether)
+      const bool on_other = (f.a == mover || f.b == mover) && (f.a != a || f.b != b);
+      if (on_other && world.same_sides(f.a, f.b, a, b) != 0.0 && std::abs(cross(f.normal, normal)) <= kTogether)
         take_off(mover, k);
     }
   }

@@ -154,6 +154,7 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
   Contacts& c = found.contacts;
   const Geometry& shapes = world.shapes();
   const StepArms arms = arms_of(world.method.integrator);
+  std::fill(found.returns.begin(), found.returns.end(), 0.0);
   for (int first = 0, last = 0; first < c.size(); first = last) {
     const BodyIndex ka = c.a[first];
     const BodyIndex kb = c.b[first];
@@ -208,7 +209,8 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
       const double off = guess.gap - arms.reach * h * parting;
       const double most = kLeft * smaller_size(world, ka, kb);
       const double returns = off - std::clamp(off, -most, most);
-      c.target[i] += std::min(-returns / std::max(h, world.method.step), kMostParting * press) - allowed;
+      found.returns[k] = std::min(-returns / std::max(h, world.method.step), kMostParting * press);
+      c.target[i] += found.returns[k] - allowed;
     }
   }
 }

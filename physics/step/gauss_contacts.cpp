@@ -35,7 +35,7 @@ void GaussContacts::begin_part(double time, double step_length) {
 
 double GaussContacts::improve(World& world, double h, const Neighbours& neighbours, double tolerance,
                               double slip_speed, const Islands& islands, double least, FoundContacts& found) {
-  const GaussStep step{world, h, neighbours, tolerance, slip_speed, found, breaks_};
+  const GaussStep step{world, h, least, neighbours, tolerance, slip_speed, found, breaks_};
   clear();
   h_ = h;
   improved_.assign(static_cast<std::size_t>(found.contacts.size()), 0);
@@ -43,7 +43,7 @@ double GaussContacts::improve(World& world, double h, const Neighbours& neighbou
   join(step.world, step.found.contacts, islands);
   for (const std::vector<int>& contacts : joined_) {
     if (contacts.empty() || !island_.begin(step, contacts)) continue;
-    if (settle(step, least, ends)) {
+    if (settle(step, ends)) {
       enter(step);
     } else {
       island_.put_back(step);
@@ -91,9 +91,9 @@ void GaussContacts::move_contacts(int from, int to) {
   std::replace(joined_of_.begin(), joined_of_.end(), from, to);
 }
 
-// Finds modes that hold from the start until `least` or longer, and their forces. `ends` becomes no later than
-// they do.
-bool GaussContacts::settle(const GaussStep& step, double least, double& ends) {
+// Finds modes that hold from the start for as long as they are to, and their forces. `ends` becomes no later
+// than they do.
+bool GaussContacts::settle(const GaussStep& step, double& ends) {
   const Contacts& found = step.found.contacts;
   const bool have_limits = std::any_of(island_.contacts().begin(), island_.contacts().end(), [&](int i) {
     return found.static_friction[i] > found.kinetic_friction[i];
@@ -103,7 +103,7 @@ bool GaussContacts::settle(const GaussStep& step, double least, double& ends) {
     if (!island_.solve(step)) return false;
     double until = step.h;
     if (change_modes(step, island_, until)) continue;
-    if (until < least || !stay_open(step, island_)) return false;
+    if (until < step.least || !stay_open(step, island_)) return false;
     ends = std::min(ends, until);
     return true;
   }

@@ -32,7 +32,8 @@ class GaussContacts {
   // Replaces constant forces in a part of h s from the epoch on. The contacts that were found get the means of
   // the linear ones. Velocities that contacts ask for are met to `tolerance`, and what slips slower than
   // `slip_speed` may stick (m/s). Returns the first time in s at which a contact changes its mode, h if none
-  // does. An island whose modes don't last until `least` (s) keeps its constant forces.
+  // does. An island whose modes don't last until `least` (s) keeps its constant forces. Where that is h, the
+  // part can't be divided: what sticks breaks away at its end.
   double improve(World& world, double h, const Neighbours& neighbours, double tolerance, double slip_speed,
                  const Islands& islands, double least, FoundContacts& found);
   void clear();
@@ -46,7 +47,7 @@ class GaussContacts {
  private:
   void join(const World& world, const Contacts& found, const Islands& islands);
   void move_contacts(int from, int to);
-  bool settle(const GaussStep& step, double least, double& ends);
+  bool settle(const GaussStep& step, double& ends);
   void enter(const GaussStep& step);
   void note_breaks(const GaussStep& step, double ends);
 

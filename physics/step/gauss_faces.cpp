@@ -11,55 +11,46 @@ namespace {
 // Of the size, and in rad: contacts on one line.
 constexpr double kSameLine = 1e-9;
 
-}  // namespace
-
-// An earlier contact that presses the same body at the same point along the same normal, as where two fixed
-// bodies with one law have a corner in common: only their sum is determined. Null if there is none.
-GaussContact* GaussIsland::same_contact(const GaussStep& step, int i) {
-  const World& world = step.world;
+// The first of these contacts between the same bodies as contact i, or such that move as one with them, whose
+// normal is the same and of which `fits` is true of the way from it to contact i, in m. Null if there is none.
+template <class Closed, class Fits>
+auto earlier_contact(Closed& closed, const GaussStep& step, int i, const Fits& fits)
+    -> decltype(closed.data()) {
   const Contacts& found = step.found.contacts;
-  if (world.infinite_mass(found.a[i]) == world.infinite_mass(found.b[i])) return nullptr;
-  const auto mover = [&](int k) { return world.infinite_mass(found.a[k]) ? found.b[k] : found.a[k]; };
-  const auto towards = [&](int k) {
-    return Vec2(world.infinite_mass(found.a[k]) ? found.normal[k] : -found.normal[k]);
-  };
-  const double near = kSameLine * smaller_size(world, found.a[i], found.b[i]);
-  for (GaussContact& other : closed_) {
+  const auto point = [&](int k) { return step.found.point[static_cast<std::size_t>(k)]; };
+  for (auto& other : closed) {
     const int k = other.contact;
-    if (found.kinetic_friction[k] != found.kinetic_friction[i] ||
-        found.static_friction[k] != found.static_friction[i])
-      continue;
-    if (!other.presses || world.infinite_mass(found.a[k]) == world.infinite_mass(found.b[k])) continue;
-    if (mover(k) == mover(i) && (towards(k) - towards(i)).norm() <= kSameLine &&
-        (step.found.point[static_cast<std::size_t>(k)] - step.found.point[static_cast<std::size_t>(i)])
-                .norm() <= near)
+    const double sign = step.world.same_sides(other.a, other.b, found.a[i], found.b[i]);
+    if (sign != 0.0 && (sign * found.normal[k] - found.normal[i]).norm() <= kSameLine &&
+        fits(other, point(i) - point(k)))
       return &other;
   }
   return nullptr;
 }
 
-// That of an earlier contact of the same bodies with the same line of tangential force, or a new one: between
-// two flat faces only the sum of the tangential forces is determined. Those that nothing moves are one body,
-// such as the tiles of a floor.
-int GaussIsland::face_of(const GaussStep& step, const GaussContact& c) const {
-  const World& world = step.world;
-  const FoundContacts& found = step.found;
-  const auto are_one = [&](BodyIndex i, BodyIndex j) {
-    return i == j || (world.is_immovable(i) && world.is_immovable(j));
-  };
-  const Vec2& normal = found.contacts.normal[c.contact];
-  const Vec2& point = found.point[static_cast<std::size_t>(c.contact)];
-  const double near = kSameLine * smaller_size(world, c.a, c.b);
-  for (const GaussContact& other : closed_) {
-    const bool alike = are_one(other.a, c.a) && are_one(other.b, c.b);
-    const bool swapped = are_one(other.a, c.b) && are_one(other.b, c.a);
-    if (!alike && !swapped) continue;
-    const Vec2& there = found.contacts.normal[other.contact];
-    if (((alike ? 1.0 : -1.0) * there - normal).norm() <= kSameLine &&
-        std::abs(normal.dot(found.point[static_cast<std::size_t>(other.contact)] - point)) <= near)
-      return other.face;
-  }
-  return static_cast<int>(held_.size());
+}  // namespace
+
+// One that presses at the same point with the same law, as where two fixed bodies have a corner in common: only
+// the sum of their forces is determined.
+GaussContact* GaussIsland::same_contact(const GaussStep& step, int i) {
+  const Contacts& found = step.found.contacts;
+  const double near = kSameLine * smaller_size(step.world, found.a[i], found.b[i]);
+  return earlier_contact(closed_, step, i, [&](const GaussContact& other, const Vec2& way) {
+    return other.presses && way.norm() <= near &&
+           found.kinetic_friction[other.contact] == found.kinetic_friction[i] &&
+           found.static_friction[other.contact] == found.static_friction[i];
+  });
+}
+
+// That of an earlier contact with the same line of tangential force, or a new one: between two flat faces only
+// the sum of the tangential forces is determined.
+int GaussIsland::face_of(const GaussStep& step, int i) const {
+  const Contacts& found = step.found.contacts;
+  const double near = kSameLine * smaller_size(step.world, found.a[i], found.b[i]);
+  const GaussContact* same = earlier_contact(closed_, step, i, [&](const GaussContact&, const Vec2& way) {
+    return std::abs(found.normal[i].dot(way)) <= near;
+  });
+  return same == nullptr ? static_cast<int>(held_.size()) : same->face;
 }
 
 void GaussIsland::hold_face(GaussContact& holder) {

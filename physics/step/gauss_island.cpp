@@ -23,6 +23,8 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRoot3 = std::numbers::sqrt3;
 // Contacts of the largest island.
 constexpr std::size_t kMostContacts = 32;
+// Of a step: a shorter part has constant forces, as gaps within rounding would need large ones to close in it.
+constexpr double kShortest = 1e-5;
 // Rounds in which forces are corrected. Two leave at most kLeast of what was off before them, or they are the
 // last; then at most kAccepted times the tolerance may be off.
 constexpr int kMostRounds = 20;
@@ -36,6 +38,10 @@ constexpr double kLeft = 1e-11;
 // one that is open by more than a step closes of a gap that is left from before.
 constexpr double kClosed = 0.05;
 constexpr double kReturns = 0.01;
+// Of full friction: what needs less on the mean of a step does not break away within it, and what needs so much
+// may be at its limit from the start.
+constexpr double kNearLimit = 0.75;
+constexpr double kAtLimit = 1.0 - 1e-4;
 // Relative: a difference from full friction.
 constexpr double kFull = 1e-9;
 // rad: contacts that turn by less have constant normals and arms.
@@ -65,6 +71,32 @@ std::array<double, 2> moves_by(const World& world) {
   if (choice_of(kIntegrators, world.method.integrator).order == 2 && !world.trajectories.is_parabolic())
     return {gauss_share(0, 0.0), gauss_share(1, 0.0)};
   return {kGaussPoints[1], kGaussPoints[0]};
+}
+
+// m: the gaps of a contact that is closed, and by how much it may close or open in this part of a step.
+struct GapBounds {
+  double deepest = 0.0, widest = 0.0, returns = 0.0;
+};
+GapBounds gap_bounds(const GaussStep& step, int i) {
+  const World& world = step.world;
+  const Contacts& found = step.found.contacts;
+  const BodyIndex a = found.a[i];
+  const BodyIndex b = found.b[i];
+  const double answer = world.mass().inverse_mass[a] + world.mass().inverse_mass[b];
+  // m/s²: by other forces, or by the constant one.
+  const double press =
+      std::max(step.found.press[static_cast<std::size_t>(i)], found.normal_impulse[i] / step.h * answer);
+  if (!step.is_of_few()) {
+    const double shut = press * step.h * step.h;
+    return {kClosed * shut, kReturns * shut, kReturns * shut};
+  }
+  // What constant forces leave in a whole step.
+  const double whole = std::max(step.h, world.method.step);
+  const double shut = press * whole * whole;
+  const double rounding = closed_within(step, a, b, step.found.point[static_cast<std::size_t>(i)]);
+  const double left = 2.0 * (kLeft * smaller_size(world, a, b) + kNeeded * rounding);
+  const double widest = std::max(kReturns * shut, left);
+  return {std::max(kClosed * shut, left), widest, widest * (step.h / whole) * (step.h / whole)};
 }
 
 bool rubs(const GaussStep& step, const GaussContact& c) {
@@ -105,19 +137,20 @@ double friction_of(const GaussStep& step, const GaussContact& c) {
   return c.at_limit ? found.static_friction[c.contact] : found.kinetic_friction[c.contact];
 }
 
-double closed_within(const GaussStep& step, const GaussContact& c) {
-  const double size = step.world.shapes().size[c.a] + step.world.shapes().size[c.b];
-  return std::max(step.tolerance * step.h, 8.0 * kEpsilon * (c.at[0].point.lpNorm<1>() + size));
+double closed_within(const GaussStep& step, BodyIndex a, BodyIndex b, const Vec2& point) {
+  const double size = step.world.shapes().size[a] + step.world.shapes().size[b];
+  return std::max(step.tolerance * step.h, 8.0 * kEpsilon * (point.lpNorm<1>() + size));
 }
 
 bool GaussIsland::begin(const GaussStep& step, std::span<const int> contacts) {
   contacts_ = contacts;
-  if (contacts.size() > kMostContacts || !list(step)) return false;
+  if (contacts.size() > kMostContacts || step.h < kShortest * step.world.method.step || !list(step))
+    return false;
   constant_.resize(3, static_cast<Eigen::Index>(bodies_.size()));
   for (const BodyIndex body : bodies_)
     constant_.col(column(body)) = step.world.field().contact_acceleration(body);
   sample(step);
-  if (!look(step)) return false;
+  if (!look(step) || is_continued(step)) return false;
   for (GaussContact& c : closed_) {
     if (!start(step, c)) return false;
   }
@@ -134,12 +167,8 @@ bool GaussIsland::list(const GaussStep& step) {
     for (const BodyIndex body : {found.a[i], found.b[i]}) bodies_.push_back(body);
     if (!std::isfinite(found.target[i])) continue;
     const bool presses = found.normal_impulse[i] > 0.0;
-    const double answer =
-        step.world.mass().inverse_mass[found.a[i]] + step.world.mass().inverse_mass[found.b[i]];
-    const double press = std::max(step.found.press[static_cast<std::size_t>(i)],
-                                  found.normal_impulse[i] / step.h * answer);  // m/s²
-    const double shut = press * step.h * step.h;                               // m
-    const bool closed = found.gap[i] >= -kClosed * shut && found.gap[i] <= kReturns * shut;
+    const GapBounds bounds = gap_bounds(step, i);
+    const bool closed = found.gap[i] >= -bounds.deepest && found.gap[i] <= bounds.widest;
     if (presses && (!closed || found.rolling_impulse[i] != 0.0)) return false;
     if (!closed) continue;
     GaussContact c;
@@ -148,12 +177,12 @@ bool GaussIsland::list(const GaussStep& step) {
     c.b = found.b[i];
     GaussContact* same = presses ? same_contact(step, i) : nullptr;
     c.presses = presses && same == nullptr;
-    c.stays_open = found.gap[i] - std::clamp(found.gap[i], -kReturns * shut, kReturns * shut);
+    c.stays_open = found.gap[i] - std::clamp(found.gap[i], -bounds.returns, bounds.returns);
     for (GaussContact::AtPoint& at : (same != nullptr ? *same : c).at) {
       at.normal_force += found.normal_impulse[i] / step.h;
       at.tangential_force += found.tangential_impulse[i] / step.h;
     }
-    c.face = face_of(step, c);
+    c.face = face_of(step, i);
     if (c.face == static_cast<int>(held_.size())) held_.push_back(false);
     closed_.push_back(c);
   }
@@ -171,18 +200,36 @@ bool GaussIsland::start(const GaussStep& step, GaussContact& c) const {
     return false;
   c.start = {contact.normal, contact.gap, velocity.normal, velocity.tangential};
   if (!rubs(step, c)) return true;
-  // What can't stick is found out from its forces.
+  const Contacts& found = step.found.contacts;
+  const bool larger = found.static_friction[c.contact] > found.kinetic_friction[c.contact];
+  const auto slip = [&](double sign, bool at_limit) {
+    c.sticks = false;
+    c.slips = sign;
+    c.at_limit = at_limit;
+  };
+  // What else can't stick is found out from its forces.
   c.sticks = std::abs(c.start.slip) <= step.slip_speed;
-  if (!c.sticks) c.slips = c.start.slip > 0.0 ? 1.0 : -1.0;
+  if (!c.sticks) slip(std::copysign(1.0, c.start.slip), false);
+  const auto [tangential, most] = friction_on(step, c.face);
+  if (step.is_of_few() && c.sticks && c.presses && std::abs(tangential) >= kAtLimit * most)
+    slip(-std::copysign(1.0, tangential), larger);
   const std::uint32_t id = step.found.id[static_cast<std::size_t>(c.contact)];
   for (const GaussBreak& past : step.breaks) {
-    if (!c.sticks || past.a != c.a || past.b != c.b || past.id != id) continue;
-    c.sticks = false;
-    c.slips = past.slips;
-    c.at_limit =
-        step.found.contacts.static_friction[c.contact] > step.found.contacts.kinetic_friction[c.contact];
+    if (c.sticks && past.a == c.a && past.b == c.b && past.id == id) slip(past.slips, larger);
   }
   return true;
+}
+
+// N s: the constant tangential force of a face, and what it can be at most.
+std::pair<double, double> GaussIsland::friction_on(const GaussStep& step, int face) const {
+  const Contacts& found = step.found.contacts;
+  std::pair<double, double> sum;
+  for (const GaussContact& c : closed_) {
+    if (c.face != face || !c.presses) continue;
+    sum.first += found.tangential_impulse[c.contact];
+    sum.second += found.static_friction[c.contact] * found.normal_impulse[c.contact];
+  }
+  return sum;
 }
 
 // Whether contacts turn, or constant forces don't do what they should. Under an integrator of order 2 those are
@@ -191,7 +238,10 @@ bool GaussIsland::is_needed(const GaussStep& step) const {
   const auto changes = [&](const GaussContact& c) {
     if (!c.presses || !rubs(step, c)) return false;
     const Contacts& found = step.found.contacts;
-    if (c.sticks) return found.sticks[c.contact] == 0;
+    if (std::abs(c.start.slip) <= step.slip_speed) {
+      const auto [tangential, most] = friction_on(step, c.face);
+      return found.sticks[c.contact] == 0 || (step.is_of_few() && std::abs(tangential) > kNearLimit * most);
+    }
     const double full = friction_of(step, c) * found.normal_impulse[c.contact];
     return std::abs(found.tangential_impulse[c.contact] + c.slips * full) > kFull * full;
   };
@@ -266,15 +316,27 @@ bool GaussIsland::look(const GaussStep& step) {
     c.halfway = {contact.normal, contact.gap, velocity.normal, velocity.tangential};
     if (!find_contact(world, c.a, a.end, c.b, b.end, id, contact, velocity)) return false;
     c.end = {contact.normal, contact.gap, velocity.normal, velocity.tangential};
-    const auto pose = [&](BodyIndex body) {
-      return world.shapes().pose(body, step.world.trajectories.at(body, step.h).head<3>());
-    };
-    const auto others = step.neighbours.of_pair(world, c.a, c.b);
-    if (may_be_continued(world, c.a, c.b) && on_internal_edge(world, c.a, c.b, contact, others, pose) &&
-        !turns_about_corner(world, c.a, c.b, c.at[0].normal, contact, others, pose))
-      return false;
   }
   return true;
+}
+
+// Whether another body continues a contact's surface where it is at the end.
+bool GaussIsland::is_continued(const GaussStep& step) const {
+  const World& world = step.world;
+  const auto pose = [&](BodyIndex body) {
+    return world.shapes().pose(body, step.world.trajectories.at(body, step.h).head<3>());
+  };
+  return std::any_of(closed_.begin(), closed_.end(), [&](const GaussContact& c) {
+    Contact contact;
+    RowVelocity velocity;
+    if (!may_be_continued(world, c.a, c.b) ||
+        !find_contact(world, c.a, sampled(c.a).end, c.b, sampled(c.b).end,
+                      step.found.id[static_cast<std::size_t>(c.contact)], contact, velocity))
+      return false;
+    const auto others = step.neighbours.of_pair(world, c.a, c.b);
+    return on_internal_edge(world, c.a, c.b, contact, others, pose) &&
+           !turns_about_corner(world, c.a, c.b, c.at[0].normal, contact, others, pose);
+  });
 }
 
 // How far the contacts that press are off what they are to be at the end, of what may be left; gaps by more
@@ -285,7 +347,8 @@ double GaussIsland::off(const GaussStep& step, double left) const {
     if (!c.presses) continue;
     const double gap =
         std::max(std::abs(c.end.gap - c.stays_open) - left * smaller_size(step.world, c.a, c.b), 0.0);
-    most = std::max({most, std::abs(c.end.parting) / step.tolerance, gap / closed_within(step, c)});
+    most = std::max(
+        {most, std::abs(c.end.parting) / step.tolerance, gap / closed_within(step, c.a, c.b, c.at[0].point)});
     if (c.sticks)
       most = std::max({most, std::abs(c.end.slip) / step.tolerance, std::abs(c.halfway.slip) / step.tolerance});
   }
@@ -409,11 +472,11 @@ bool GaussIsland::solve(const GaussStep& step) {
     if (!look(step)) return false;
     const double now = off(step, 0.0);
     if (!std::isfinite(now)) return false;
-    if (now <= 1.0 && round > 0) return true;
-    if (round > 3 && !(now < kLeast * before[1])) return now <= kAccepted;
+    const bool met = now <= 1.0 && round > 0;
+    if (met || (round > 3 && !(now < kLeast * before[1]))) return now <= kAccepted && !is_continued(step);
     before = {now, before[0]};
   }
-  return before[0] <= kAccepted;
+  return before[0] <= kAccepted && !is_continued(step);
 }
 
 void GaussIsland::note_break(int face, double time, double slips) {

@@ -32,12 +32,17 @@ struct GaussBreak {
 // A part of a step in which contact forces are linear.
 struct GaussStep {
   World& world;
-  double h;  // s, from the epoch on
+  double h;      // s, from the epoch on
+  double least;  // s: modes last so long; h: it can't be divided
   const Neighbours& neighbours;
   double tolerance;   // m/s: of velocities that contacts ask for
   double slip_speed;  // m/s: a contact that slips slower may stick
   FoundContacts& found;
   std::span<const GaussBreak> breaks;  // at its start
+  // In a pile something is near its limit nearly always: only in a scene of so few contacts are contacts at
+  // their limits followed, and gaps closed that constant forces leave.
+  static constexpr int kFew = 32;
+  [[nodiscard]] bool is_of_few() const { return found.contacts.size() <= kFew; }
 };
 
 // A contact that is closed at the start.
@@ -101,15 +106,17 @@ class GaussIsland {
 
   bool list(const GaussStep& step);
   [[nodiscard]] GaussContact* same_contact(const GaussStep& step, int i);
-  [[nodiscard]] int face_of(const GaussStep& step, const GaussContact& c) const;
+  [[nodiscard]] int face_of(const GaussStep& step, int i) const;
   // Gives a contact the tangential forces of all that stick on its face.
   void hold_face(GaussContact& holder);
   bool start(const GaussStep& step, GaussContact& c) const;
+  [[nodiscard]] std::pair<double, double> friction_on(const GaussStep& step, int face) const;
   [[nodiscard]] bool is_needed(const GaussStep& step) const;
   void sample(const GaussStep& step);
   [[nodiscard]] const Sampled& sampled(BodyIndex body) const;
   [[nodiscard]] Eigen::Index column(BodyIndex body) const;
   bool look(const GaussStep& step);
+  [[nodiscard]] bool is_continued(const GaussStep& step) const;
   [[nodiscard]] double off(const GaussStep& step, double left) const;
   void build(const GaussStep& step);
   void add_column(const GaussStep& step, const GaussContact& c, int to, double normal, double tangential);
@@ -136,7 +143,7 @@ bool find_contact(const World& world, BodyIndex a, const Motion& ya, BodyIndex b
                   std::uint32_t id, Contact& contact, RowVelocity& velocity);
 // That of a contact that does not stick.
 [[nodiscard]] double friction_of(const GaussStep& step, const GaussContact& c);
-// m: of a contact, smaller gaps are rounding.
-[[nodiscard]] double closed_within(const GaussStep& step, const GaussContact& c);
+// m: of a contact at this point, smaller gaps are rounding.
+[[nodiscard]] double closed_within(const GaussStep& step, BodyIndex a, BodyIndex b, const Vec2& point);
 
 }  // namespace carom

@@ -44,18 +44,29 @@ double part_held(double first, double second, double rounding) {
   return start > 0.0 ? start / (start - end) : 0.0;
 }
 
+// m/s: how fast the gaps that an island is left with are closed.
+double closing(const GaussStep& step, const GaussIsland& island) {
+  double most = 0.0;
+  for (const GaussContact& c : island.closed()) {
+    if (c.presses) most = std::max(most, std::abs(c.end.gap - c.start.gap) / step.h);
+  }
+  return most;
+}
+
 // s: the first of the sampled times at which a contact slips against its direction, the first of all if it
-// begins so; 0: none.
-double slips_back(const GaussStep& step, const GaussContact& c) {
+// begins so; 0: none. One that others may hold moves with them as they close their gaps.
+double slips_back(const GaussStep& step, const GaussIsland& island, const GaussContact& c) {
   const std::array<double, 3> slips{c.at[0].slip, c.halfway.slip, c.at[1].slip};
-  const auto against = [&](double slip) { return c.slips * slip < -kSeen * step.tolerance; };
+  const double rounding =
+      closed_within(step, c.a, c.b, c.at[0].point) / step.h + (c.at_limit ? closing(step, island) : 0.0);
+  const auto against = [&](double slip) { return c.slips * slip < -kSeen * rounding; };
   const auto first = std::find_if(slips.begin(), slips.end(), against);
   if (first != slips.end()) return kTimes[static_cast<std::size_t>(first - slips.begin())] * step.h;
   if (against(c.end.slip)) return step.h;
   if (c.slips * c.start.slip > step.slip_speed) return 0.0;
   const double gains =
       beginning({slips[0] - c.start.slip, slips[1] - c.start.slip, slips[2] - c.start.slip}, 1);
-  return c.slips * gains < -kBegins * step.tolerance ? kTimes[0] * step.h : 0.0;
+  return c.slips * gains < -kBegins * rounding ? kTimes[0] * step.h : 0.0;
 }
 
 // s: when a contact stops slipping that slips against its direction at `wrong`, on the present flights.
@@ -93,7 +104,7 @@ std::array<double, 2> most_friction(const GaussStep& step, const GaussIsland& is
 }  // namespace
 
 bool closes(const GaussStep& step, const GaussContact& c) {
-  const double rounding = closed_within(step, c);
+  const double rounding = closed_within(step, c.a, c.b, c.at[0].point);
   const std::array<double, 3> gaps{c.at[0].gap, c.halfway.gap, c.at[1].gap};
   const double least = std::min(c.end.gap, *std::min_element(gaps.begin(), gaps.end()));
   if (least < std::min(c.start.gap, 0.0) - kSeen * rounding) return true;
@@ -140,10 +151,12 @@ bool change_modes(const GaussStep& step, GaussIsland& island, double& ends) {
         // The body may still be held by others: kinetic friction acts where it does slip.
         const bool larger =
             step.found.contacts.static_friction[c.contact] > step.found.contacts.kinetic_friction[c.contact];
+        // Breaking away within a part that can't be divided waits for its end.
+        if (step.is_of_few() && part > kAtOnce && step.least >= step.h) continue;
         enter(part, [&] { set_face(false, -sign, larger); });
         if (part < 1.0) island.note_break(c.face, part * step.h, -sign);
       }
-    } else if (const double wrong = c.sticks ? 0.0 : slips_back(step, c); wrong > 0.0) {
+    } else if (const double wrong = c.sticks ? 0.0 : slips_back(step, island, c); wrong > 0.0) {
       const bool slid = c.slips * c.start.slip > step.slip_speed;
       enter(slid ? slip_ends(step, c, wrong) / step.h : 0.0, [&] { set_face(true, 0.0, false); });
     } else if (c.at_limit && c.slips * c.end.slip > kSeen * step.tolerance) {

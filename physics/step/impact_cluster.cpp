@@ -90,10 +90,9 @@ bool ImpactCluster::has_several(const World& world) const {
   };
   const auto on_one_face = [&](const Touch& t) {
     if (!has_stretch(t) || !has_stretch(first)) return false;
-    const bool same = (t.a == first.a && world.is_immovable(t.b) && world.is_immovable(first.b)) ||
-                      (t.b == first.b && world.is_immovable(t.a) && world.is_immovable(first.a));
+    const double sign = world.same_sides(t.a, t.b, first.a, first.b);
     const Vec2 along = t.contact.point - first.contact.point;
-    return same && (t.contact.normal - first.contact.normal).norm() <= kOnePoint &&
+    return sign != 0.0 && (sign * t.contact.normal - first.contact.normal).norm() <= kOnePoint &&
            std::abs(along.dot(first.contact.normal)) <= kOnePoint * along.norm();
   };
   return std::any_of(touches_.begin() + 1, touches_.end(), [&](const Touch& t) {

@@ -39,7 +39,7 @@ constexpr int kContactsPerHit = 100;
 // Of the size, or rad: how far bodies of a crowd may close or turn in a part of a step.
 constexpr double kMostMotion = 0.1;
 // Linear forces end where a contact's mode does: found in so many rounds, the last of which may be off by
-// kAbout. Where a step can't be divided, modes must last for kWhole of it.
+// kAbout. Modes that last for kWhole of a part do for all of it.
 constexpr int kMostEnds = 3;
 constexpr double kAbout = 0.9;
 constexpr double kWhole = 1.0 - 1e-6;
@@ -92,7 +92,7 @@ void RestingContacts::support(World& world, double h, bool may_divide) {
     }
     if (supported_ < h) find_contacts(world, supported_);
   }
-  double holds = hold(world, supported_, may_divide ? 0.0 : kWhole * supported_);
+  double holds = hold(world, supported_, may_divide ? 0.0 : supported_);
   for (int round = 1; may_divide && round <= kMostEnds && holds < kWhole * supported_; ++round) {
     supported_ = holds;
     take_off_forces(world);
@@ -134,7 +134,7 @@ int RestingContacts::support_part(World& world, double step, int left) {
     step_length_ = whole * parts * unit;
     find_contacts(world, parts * unit);
   }
-  hold(world, parts * unit, kWhole * parts * unit);
+  hold(world, parts * unit, parts * unit);
   return parts;
 }
 
@@ -289,7 +289,7 @@ bool RestingContacts::is_disturbed(BodyIndex a, BodyIndex b) const {
   const auto pushes = [&](BodyIndex i) {
     return std::binary_search(memory_.pushed.begin(), memory_.pushed.end(), i);
   };
-  return found_.contacts.size() <= kFewContactsOfScene && (pushes(a) || pushes(b));
+  return is_few() && (pushes(a) || pushes(b));
 }
 
 void RestingContacts::release(World& world) {

@@ -98,6 +98,8 @@ class RestingContacts {
   ContactSolverReport solve_flight(World& world, double h, const ContactSolverOptions& options);
   ContactSolverReport solve(const World& world, const Eigen::Matrix3Xd& from,
                             const ContactSolverOptions& options);
+  void list_breaking(double still);
+  [[nodiscard]] bool is_few() const { return found_.contacts.size() <= kFewContactsOfScene; }
   void push_as_before(World& world);
   void fly(World& world, double h);
   [[nodiscard]] ContactSolverOptions solver_options() const;
@@ -116,6 +118,9 @@ class RestingContacts {
   Eigen::Matrix3Xd before_, after_, free_;  // velocities, m/s and rad/s
   Eigen::Matrix3Xd moved_;                  // m, rad; or per s
   std::vector<std::uint8_t> sticks_;
+  std::vector<int> breaking_;      // contacts
+  Contacts solved_;                // of the round before
+  Eigen::Matrix3Xd solved_after_;  // likewise
   HitsInOrder in_order_;
   GaussContacts linear_;
   std::vector<TouchNearEnd> near_ends_;

@@ -32,6 +32,10 @@ constexpr double kGuessed = 1e-9;
 constexpr double kHeld = 1.0 / 30.0;
 // Rounds in which contacts break away from static friction in one step.
 constexpr int kMostBreaks = 3;
+// A round of these that leaves a residual so many times larger than the one before, and as large as so much of
+// the change of a speed by forces, is none.
+constexpr double kWorse = 16.0;
+constexpr double kUnsolved = 0.01;
 // Corrections of the contact forces where the integrator's flight is not linear in them.
 constexpr int kMostRounds = 12;
 // Of the full moment of rolling resistance: a difference from it.
@@ -94,27 +98,56 @@ ContactSolverReport RestingContacts::solve(const World& world, const Eigen::Matr
                                            const ContactSolverOptions& options) {
   Contacts& c = found_.contacts;
   sticks_ = c.sticks;
-  // At its limit, while others hold its bodies.
-  const auto is_still = [&](int i) {
-    return std::abs(contact_velocity(c, i, after_).tangential) <= kSlips * options.tolerance;
-  };
-  const bool few = c.size() <= kFewContactsOfScene;
-  ContactSolverReport report;
-  for (int round = 0; round < kMostBreaks; ++round) {
+  const auto once = [&] {
     after_ = from;
     c.sticks = sticks_;
-    report = solve_prepared(world.mass(), c, after_, options, workspace_);
-    bool breaks = false;
-    for (int i = 0; i < c.size(); ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      if (sticks_[k] == 0 || c.sticks[k] != 0 || !(c.static_friction[k] > c.kinetic_friction[k])) continue;
-      if (!(c.normal_impulse[k] > 0.0) || (few && is_still(i))) continue;
-      sticks_[k] = 0;
-      breaks = true;
+    return solve_prepared(world.mass(), c, after_, options, workspace_);
+  };
+  // m/s: bodies that come back onto their surfaces slip so fast at most.
+  const Eigen::Map<const Eigen::VectorXd> returns(found_.returns.data(), c.size());
+  const double coming_back = c.size() <= GaussStep::kFew ? returns.lpNorm<1>() : 0.0;
+  ContactSolverReport report;
+  for (int round = 0; round < kMostBreaks; ++round) {
+    const ContactSolverReport now = once();
+    const double worst = std::max(kWorse * report.residual, kUnsolved * pressing_.change_by_forces());
+    if (round > 0 && now.missed_islands > 0 && now.residual > worst) {
+      c = solved_;
+      after_ = solved_after_;
+      return report;
     }
-    if (!breaks) break;
+    report = now;
+    const double still = kSlips * options.tolerance;
+    list_breaking(still + coming_back);
+    if (breaking_.empty() && coming_back > 0.0) {
+      list_breaking(still);
+      if (breaking_.empty()) break;
+      // What only comes back does not break away.
+      Eigen::Map<Eigen::VectorXd>(c.target.data(), c.size()) -= returns;
+      once();
+      list_breaking(still);
+      Eigen::Map<Eigen::VectorXd>(c.target.data(), c.size()) += returns;
+      if (breaking_.empty()) return once();
+    }
+    if (breaking_.empty()) break;
+    solved_ = c;
+    solved_after_ = after_;
+    for (const int i : breaking_) sticks_[static_cast<std::size_t>(i)] = 0;
   }
   return report;
+}
+
+// The contacts whose static friction is full and that slip faster than `still` (m/s): those at their limit may
+// be held by others.
+void RestingContacts::list_breaking(double still) {
+  const Contacts& c = found_.contacts;
+  breaking_.clear();
+  for (int i = 0; i < c.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const bool full = sticks_[k] != 0 && c.sticks[k] == 0 && c.static_friction[k] > c.kinetic_friction[k] &&
+                      c.normal_impulse[k] > 0.0;
+    if (full && (!is_few() || std::abs(contact_velocity(c, i, after_).tangential) > still))
+      breaking_.push_back(i);
+  }
 }
 
 // Contacts that close, or would within the step, lose their closing speed now.

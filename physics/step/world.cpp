@@ -140,7 +140,7 @@ void World::check_motions() const {
 // step from rest makes all of its energy: nothing has moved yet.
 void World::check_energy() {
   constexpr double kMade = 0.75;  // of the kinetic energy and all that the bodies got or lost
-  // Of the ledger's turnover: less is rounding.
+  // Of the ledger's turnover: less is rounding, or as good as at rest.
   constexpr double kRounding = 1e-9;
   const double kinetic = kinetic_energy(state, mass());
   const double peak = std::exchange(sums.peak_kinetic, std::max(sums.peak_kinetic, kinetic));
@@ -150,7 +150,8 @@ void World::check_energy() {
   const double turnover = now.turnover();
   // Forces that friction almost balances pass on far more than the bodies keep.
   const double passed = kinetic + turnover - std::abs(now.initial);
-  sums.energy_doubts = made > kMade * passed && made > kRounding * turnover ? sums.energy_doubts + 1 : 0;
+  const bool doubtful = made > kMade * passed && std::min(made, kinetic) > kRounding * turnover;
+  sums.energy_doubts = doubtful ? sums.energy_doubts + 1 : 0;
   if (sums.energy_doubts == 2) note(&Notices::energy_made_since, clock.step_end);
 }
 

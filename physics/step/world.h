@@ -53,6 +53,15 @@ struct World {
   [[nodiscard]] bool is_immovable(BodyIndex body) const {
     return model->infinite_mass(body) && !model->is_kinematic(body);
   }
+  // Whether they move as one body: by a weld, or as nothing moves them, such as the tiles of a floor.
+  [[nodiscard]] bool move_as_one(BodyIndex a, BodyIndex b) const {
+    return a == b || (is_immovable(a) && is_immovable(b)) || trajectories.welded().are_one(a, b);
+  }
+  // 1 where a moves as one with c and b with d, -1 where a does with d and b with c, 0 otherwise.
+  [[nodiscard]] double same_sides(BodyIndex a, BodyIndex b, BodyIndex c, BodyIndex d) const {
+    if (move_as_one(a, c) && move_as_one(b, d)) return 1.0;
+    return move_as_one(a, d) && move_as_one(b, c) ? -1.0 : 0.0;
+  }
   // Of the parts of a and b that touch.
   [[nodiscard]] const SurfaceLaw& material(const Contact& contact, BodyIndex a, BodyIndex b) const {
     return model->surfaces.between(shapes().parts_or_first(contact.parts, a, b));

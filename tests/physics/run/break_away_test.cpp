@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <random>
 #include <utility>
 #include <vector>
 
 #include "physics/run/simulation.h"
+#include "tests/support/convex_reference.h"
 #include "tests/support/scenes.h"
 
 // Static friction at several contacts that hold one body, or one row of bodies, under a force that grows: it
@@ -146,11 +149,60 @@ TEST(BreakAway, OfABlockThatPushesAnother) {
                                    block("pusher", 0.0, pusher), block("other", 0.3, other)},
                                   "pusher", 30.0, 1.5, 0.0, Vec2::Zero());
     SCOPED_TRACE(testing::Message() << pusher << " kg and " << other << " kg");
-    // A step is not divided shortly after its start: forces are constant in it then.
     for_each_method(setup, until, [&](const Simulation& run) {
-      for (const int i : {1, 2}) EXPECT_NEAR(run.state().v(0, i), right.speed, 2e-5);
+      for (const int i : {1, 2}) EXPECT_NEAR(run.state().v(0, i), right.speed, 1e-8);
       EXPECT_NEAR(run.state().q(0, 2) - run.state().q(0, 1), 0.3, 1e-9);
+      EXPECT_EQ(run.status(), "ok");
     });
+  }
+}
+
+// Up to four blocks of different masses and lengths, which share out the force as they reach their limits one
+// after the other; the order of the bodies is another one too.
+TEST(BreakAway, OfARowThatIsPushed) {
+  std::mt19937_64 random(5);
+  const auto between = [&](double low, double high) { return test::uniform(random, low, high); };
+  for (int scene = 0; scene < 12; ++scene) {
+    const int blocks = 1 + scene % 4;
+    const double rate = between(30.0, 60.0);
+    double mass = 0.0;
+    double x = 0.0;
+    std::vector<Body> bodies{test::fixed("floor", Box{20.0, 0.1}, {0.0, -0.05})};
+    for (int i = 0; i < blocks; ++i) {
+      const double width = between(0.1, 0.4);
+      Body next = block(fmt::format("block {}", i), x + 0.5 * width, between(1.0, 2.0));
+      next.shape = Box{width, 0.02};
+      next.position.y() = 0.01;
+      mass += *next.mass;
+      x += width;
+      bodies.insert(scene % 3 == 0 ? bodies.begin() : bodies.end(), next);
+    }
+    const double until = kStatic * mass * kG / rate + between(0.05, 0.15);
+    const Slid right = slid(mass, rate, until);
+    RunSetup setup = pushed(bodies, "block 0", rate, 1.0, between(-3.0, 3.0), Vec2::Zero());
+    // It goes on growing.
+    setup.scene.forces.applied.front().force *= 10.0;
+    setup.scene.forces.applied.front().rise *= 10.0;
+    const auto fastest_off = [&](const Simulation& run) {
+      double off = 0.0;
+      for (int i = 0; i < run.state().size(); ++i) {
+        if (run.mass().inverse_mass[i] > 0.0)
+          off = std::max(off, std::abs(run.state().velocity(i).norm() - right.speed));
+      }
+      return off;
+    };
+    SCOPED_TRACE(testing::Message() << "scene " << scene << " of " << blocks << " blocks");
+    for_each_method(setup, until, [&](const Simulation& run) {
+      EXPECT_LE(fastest_off(run), 1e-5);
+      EXPECT_EQ(run.status(), "ok");
+    });
+    for (const double h : {1.0 / 60.0, 0.005, 0.002}) {
+      setup.method = {IntegratorId::kRk4, ImpactsId::kStepEnd, ContactsId::kLasting, h};
+      Simulation run(setup);
+      run.advance_to(until);
+      EXPECT_LE(fastest_off(run), 2.0 * h * (kStatic - kKinetic) * kG) << "at the step's end, h = " << h;
+      EXPECT_EQ(run.status(), "ok");
+    }
   }
 }
 
