@@ -50,6 +50,10 @@ SetFirstTheories applied(Document& document, const SetFirstTheories& set) {
   return {std::exchange(document.first_theories, set.plots)};
 }
 
+SetOwnTheories applied(Document& document, const SetOwnTheories& set) {
+  return {std::exchange(document.own_theories, set.theories)};
+}
+
 bool is_generated(Id<Body> id) { return id.number >= kFirstGenerated; }
 
 bool is_of_generated_body(const SceneEdit& edit) {
@@ -132,6 +136,17 @@ std::vector<Plot> with_names(std::vector<Plot> plots, const std::vector<Renamed>
     return (had_lines && plot.y.empty()) || (plot.x && !follow_names(*plot.x, renamed));
   });
   return plots;
+}
+
+// The theories of one's own that are known once the document gets another scene.
+void keep_own_theories(const Document& document, const std::vector<Renamed>& renamed, DocumentChange& change) {
+  if (document.is_experiment) return;
+  std::vector<OwnTheory> known = with_theories_of(document.own_theories, document.preset);
+  std::erase_if(known, [&renamed](OwnTheory& each) {
+    return !follow_names(each.theory.line, renamed) ||
+           (each.theory.x && !follow_names(*each.theory.x, renamed));
+  });
+  if (known != document.own_theories) change.emplace_back(SetOwnTheories{std::move(known)});
 }
 
 // Those about bodies that are gone go, too.
@@ -223,6 +238,7 @@ DocumentChange change_to(const Document& document, Beginning start, SceneEdits e
   std::vector<Plot> first = with_names(document.first_theories, renamed);
   if (document.is_experiment) take_theories(plots, first);
   if (first != document.first_theories) change.emplace_back(SetFirstTheories{std::move(first)});
+  keep_own_theories(document, renamed, change);
   if (plots != preset.plots) change.emplace_back(SetPlots{std::move(plots)});
   std::vector<Stop> stops = with_names(preset.stops, renamed);
   if (stops != preset.stops) change.emplace_back(SetStops{std::move(stops)});
@@ -253,6 +269,10 @@ DocumentChange apply_change(Document& document, const DocumentChange& change) {
         std::visit([&](const auto& p) -> DocumentChange::value_type { return applied(document, p); }, part));
   std::reverse(back.begin(), back.end());
   return back;
+}
+
+FirstTheories first_theories_of(const Document& document) {
+  return {document.first_theories, theories_of_others(document.own_theories, document.preset)};
 }
 
 DocumentChange change_of_methods(const Document& document, const Scene& scene) {
@@ -320,6 +340,7 @@ DocumentChange change_to_start(const Document& document, const Start& start) {
   DocumentChange change = {SetScene{start.scene}, SetLateBodies{start.late}, SetSaved{start.saved},
                            SetExpectations{start.expectations}, SetOrigin{start.origin}};
   std::vector<Plot> plots = with_theories(with_names(preset.plots, renamed), start.plots);
+  keep_own_theories(document, renamed, change);
   if (plots != preset.plots) change.emplace_back(SetPlots{std::move(plots)});
   std::vector<Stop> stops = with_names(preset.stops, renamed);
   if (stops != preset.stops) change.emplace_back(SetStops{std::move(stops)});

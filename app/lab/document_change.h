@@ -9,8 +9,10 @@
 #include <variant>
 #include <vector>
 
+#include "app/lab/own_theories.h"
 #include "physics/compare/reference.h"
 #include "physics/preset/preset.h"
+#include "widgets/plot/plot_content.h"
 
 namespace carom {
 
@@ -36,8 +38,10 @@ struct Document {
   std::optional<Methods> before_usual{};  // while Euler, RK4 and the exact run are compared
   // A built-in experiment: the theories on its plots are those of its own start.
   bool is_experiment = false;
-  // Plots as they were before an edit took the theories from them.
+  // Its plots as they were before an edit took the theories from them.
   std::vector<Plot> first_theories{};
+  // Else: theories that were on its plots when its scene was edited. They stay there.
+  std::vector<OwnTheory> own_theories{};
   StartOrigin start{};
 
   [[nodiscard]] Methods methods() const { return {preset.method, preset.compare, reference}; }
@@ -71,14 +75,22 @@ struct SetFirstTheories {
   std::vector<Plot> plots;
 };
 
+// Other theories of one's own that the document knows.
+struct SetOwnTheories {
+  std::vector<OwnTheory> theories;
+};
+
 // A change of a document as a value: its parts in the order in which they are made.
 using DocumentChange =
     std::vector<std::variant<SceneEdits, SetScene, SetLateBodies, SetSaved, SetExpectations, SetPlots, SetStops,
-                             SetDuration, SetMethods, SetOrigin, SetFirstTheories>>;
+                             SetDuration, SetMethods, SetOrigin, SetFirstTheories, SetOwnTheories>>;
 
 // Makes the change and returns the one that takes it back. Throws std::out_of_range if a part that is edited
 // is not there.
 DocumentChange apply_change(Document& document, const DocumentChange& change);
+
+// The theories of the document that are not of its scene as it is now.
+[[nodiscard]] FirstTheories first_theories_of(const Document& document);
 
 // The change of the start of runs by edits of its scene: what names bodies follows, late bodies too;
 // expectations, an experiment's theories and the inner state of a saved run, which are those of another scene,

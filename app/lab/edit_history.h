@@ -46,8 +46,10 @@ class EditHistory : public QObject {
   void refuse(const QString& why) { emit editRefused(why); }
   // The names of the bodies that are selected now: undo of a later edit of the scene asks for them again.
   void set_selection(const std::vector<std::string>& names) { selection_ = names; }
-  // Without a step of undo: how the start came about, and one more id given to a part.
+  // Without a step of undo: how the start came about, theories of other scenes, and one more id given to a
+  // part.
   void set_origin(const StartOrigin& origin) { document_.start = origin; }
+  void set_own_theories(const std::vector<OwnTheory>& theories) { document_.own_theories = theories; }
   void count_id() { ++document_.preset.scene.ids_given; }
   void count_ids_to(std::uint32_t given) {
     document_.preset.scene.ids_given = std::max(document_.preset.scene.ids_given, given);
@@ -62,7 +64,7 @@ class EditHistory : public QObject {
  signals:
   void documentChanged();
   void bodiesChanged();  // of the document, with its plots
-  void plotsChanged();   // of the document
+  void plotsChanged();   // of the document, or which theories on them are of another scene
   void runsReturned();   // undo or redo shows runs as they were
   void editRefused(const QString& why);
   void selectionReturned(const std::vector<std::string>& names);

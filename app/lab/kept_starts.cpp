@@ -17,6 +17,36 @@ namespace {
 
 constexpr const char* kPlace = "starts of the unsaved work";
 
+QJsonObject written(const QuantityName& quantity) {
+  QJsonArray bodies;
+  for (const std::string& body : quantity.bodies) bodies.append(QString::fromStdString(body));
+  return {{"observable", QString::fromStdString(quantity.observable)},
+          {"bodies", bodies},
+          {"theory", QString::fromStdString(quantity.theory)},
+          {"residual", quantity.residual}};
+}
+
+QuantityName read_quantity(const QJsonObject& in) {
+  QuantityName quantity{in["observable"].toString().toStdString(), {}};
+  for (const QJsonValue& body : in["bodies"].toArray())
+    quantity.bodies.push_back(body.toString().toStdString());
+  quantity.theory = in["theory"].toString().toStdString();
+  quantity.residual = in["residual"].toBool();
+  return quantity;
+}
+
+QJsonObject written(const OwnTheory& each) {
+  QJsonObject out{{"line", written(each.theory.line)}, {"scene", QString::number(each.scene)}};
+  if (each.theory.x) out["x"] = written(*each.theory.x);
+  return out;
+}
+
+OwnTheory read_theory(const QJsonObject& in) {
+  OwnTheory each{{read_quantity(in["line"].toObject())}, in["scene"].toString().toULongLong()};
+  if (in.contains("x")) each.theory.x = read_quantity(in["x"].toObject());
+  return each;
+}
+
 QJsonObject written(const KeptStart& start) {
   const StartOrigin& origin = start.origin;
   QJsonObject out{{"by", origin.by}, {"saved", origin.saved}, {"scene", QString::number(origin.scene)}};
@@ -25,6 +55,9 @@ QJsonObject written(const KeptStart& start) {
   QJsonObject ids;
   for (const auto& [name, id] : start.ids) ids[QString::fromStdString(name)] = static_cast<qint64>(id);
   out["ids"] = ids;
+  QJsonArray theories;
+  for (const OwnTheory& each : start.theories) theories.append(written(each));
+  if (!theories.empty()) out["theories"] = theories;
   return out;
 }
 
@@ -37,6 +70,8 @@ KeptStart read(const QJsonObject& in) {
   const QJsonObject ids = in["ids"].toObject();
   for (auto id = ids.begin(); id != ids.end(); ++id)
     start.ids[id.key().toStdString()] = static_cast<std::uint32_t>(id.value().toInteger());
+  for (const QJsonValue& each : in["theories"].toArray())
+    start.theories.push_back(read_theory(each.toObject()));
   return start;
 }
 
@@ -55,7 +90,7 @@ void each_body(P& preset, const Each& each) {
 
 QByteArray written_starts(const KeptStarts& starts) {
   QJsonArray all;
-  std::transform(starts.begin(), starts.end(), std::back_inserter(all), written);
+  for (const KeptStart& each : starts) all.append(written(each));
   return QJsonDocument(all).toJson();
 }
 

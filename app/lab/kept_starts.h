@@ -17,6 +17,7 @@ struct KeptStart {
   StartOrigin origin;
   std::optional<Preset> preset{};              // that begins with it; none: the document does
   std::map<std::string, std::uint32_t> ids{};  // of the session, by the names of its bodies
+  std::vector<OwnTheory> theories{};           // that the document knows; with the start that it begins with
 };
 // The first one, as opened or saved, stands first.
 using KeptStarts = std::vector<KeptStart>;

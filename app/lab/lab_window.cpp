@@ -99,12 +99,12 @@ void LabWindow::connect_session() {
     if (modified) before_preview_.reset();  // it was taken up
   });
   connect(&session_.history(), &EditHistory::plotsChanged, this, [this] {
-    plots_->set_first_theories(session_.history().document().first_theories);
+    plots_->set_first_theories(first_theories_of(session_.history().document()));
     plots_->change_plots(preset().plots);
     session_.runs().record(plots_->curves());
   });
   connect(&session_.history(), &EditHistory::bodiesChanged, this, [this] {
-    plots_->set_first_theories(session_.history().document().first_theories);
+    plots_->set_first_theories(first_theories_of(session_.history().document()));
     plots_->set_bodies(session_.history().bodies(), preset().plots);
     session_.runs().record(plots_->curves());
   });

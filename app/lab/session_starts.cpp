@@ -90,13 +90,13 @@ KeptStarts SessionStarts::kept() const {
   KeptStarts kept;
   for (const Known& each : all) {
     if (each.start == nullptr) {
-      kept.push_back({document.start, std::nullopt, body_ids(document.preset)});
+      kept.push_back({document.start, std::nullopt, body_ids(document.preset), document.own_theories});
       continue;
     }
     Document there = document;
     apply_change(there, change_to_start(document, *each.start));
     auto ids = body_ids(there.preset);
-    kept.push_back({each.start->origin, std::move(there.preset), std::move(ids)});
+    kept.push_back({each.start->origin, std::move(there.preset), std::move(ids), {}});
   }
   return kept;
 }
@@ -107,7 +107,10 @@ void SessionStarts::recover(const KeptStarts& starts) {
   std::vector<Start> all = starts_of(starts, document, given);
   history_.count_ids_to(given);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!starts[i].preset) history_.set_origin(all[i].origin);
+    if (!starts[i].preset) {
+      history_.set_origin(all[i].origin);
+      history_.set_own_theories(starts[i].theories);
+    }
     if (i == 0) {
       set_first(std::move(all[i]));
     } else if (starts[i].preset) {
@@ -115,6 +118,7 @@ void SessionStarts::recover(const KeptStarts& starts) {
       recovered_.push_back({name, std::make_shared<const Start>(std::move(all[i]))});
     }
   }
+  emit history_.plotsChanged();
   emit history_.documentChanged();
 }
 

@@ -60,8 +60,15 @@ QString names_of(const QuantityName& quantity) {
   return names.join(" and ");
 }
 
-QString residual_mark(const QuantityName& quantity) {
-  return quantity.residual ? QString::fromUtf8(" − theory") : QString();
+QString residual_mark(const QuantityName& quantity, bool of_first) {
+  if (!quantity.residual) return {};
+  return QString::fromUtf8(of_first ? " − theory of the first scene" : " − theory");
+}
+
+QString label_of(const QuantityName& quantity, bool of_first) {
+  const QString label = text_of(find_observable(quantity.observable)->label);
+  return (quantity.bodies.empty() ? label : QString("%1 of %2").arg(label, names_of(quantity))) +
+         residual_mark(quantity, of_first);
 }
 
 bool is_drift(const Observable& o) {
@@ -72,6 +79,24 @@ double Scales::*scale_of(const Observable& o) {
   if (o.unit == "J") return &Scales::energy;
   if (o.unit == "N s") return &Scales::momentum;
   return nullptr;
+}
+
+// The theories that the plot had, if it is left of one of these.
+void take_first_theories(PlotContent& content, std::span<const Body> bodies, std::span<const Plot> first) {
+  const Plot& plot = content.plot;
+  const auto left_of = std::find_if(first.begin(), first.end(), [&plot](const Plot& each) {
+    Plot left = without_theories(each);
+    left.notes = plot.notes;
+    return each.id.empty() && left == plot;
+  });
+  if (left_of == first.end()) return;
+  Plot with_theories = *left_of;
+  if (with_theories.y.size() > plot.y.size())
+    std::erase_if(with_theories.y, [](const QuantityName& line) { return line.residual; });
+  const PlotContent then = content_of(with_theories, bodies);
+  for (std::size_t i = 0; i < content.lines.size(); ++i) {
+    if (content.lines[i].theory.empty()) content.lines[i].first_theory = then.lines[i].theory;
+  }
 }
 
 }  // namespace
@@ -120,13 +145,9 @@ const std::vector<Plot>& default_plots() {
   return plots;
 }
 
-QString label_of(const QuantityName& quantity) {
-  const QString label = text_of(find_observable(quantity.observable)->label);
-  return (quantity.bodies.empty() ? label : QString("%1 of %2").arg(label, names_of(quantity))) +
-         residual_mark(quantity);
-}
+QString label_of(const QuantityName& quantity) { return label_of(quantity, false); }
 
-PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
+PlotContent content_of(const Plot& plot, std::span<const Body> bodies, const FirstTheories& first) {
   for (const PlotContent& known : named_plots()) {
     if (plot.id.empty() || known.plot.id != plot.id) continue;
     PlotContent content = known;
@@ -135,6 +156,9 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
   }
   PlotContent content;
   content.plot = plot;
+  const auto is_of_first = [&](const QuantityName& line) {
+    return std::find(first.kept.begin(), first.kept.end(), PlottedTheory{line, plot.x}) != first.kept.end();
+  };
   std::optional<Quantity> x;
   if (plot.x) {
     x = quantity_of(*plot.x, bodies);
@@ -143,24 +167,27 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
   }
   for (const QuantityName& name : plot.y) {
     Quantity y = quantity_of(name, bodies);
-    PlotLine line{label_of(name), si_unit(*y.observable), {}, std::nullopt, false, theory_of(name, x)};
+    const bool of_first = is_of_first(name);
+    PlotLine line{label_of(name, of_first), si_unit(*y.observable), {}, std::nullopt, false,
+                  theory_of(name, x)};
     if (name.residual) {
       line.tip = QObject::tr("measured minus theory: %1").arg(QString::fromStdString(name.theory));
       y.less = std::exchange(line.theory, {});
     }
+    if (of_first) line.first_theory = std::exchange(line.theory, {});
     line.curve = Curve{y, x};
     content.lines.push_back(std::move(line));
   }
   if (content.lines.empty()) throw SceneError("a plot without a quantity; allowed: at least one");
-  const Observable& first = *content.lines.front().curve->y.observable;
+  const Observable& front = *content.lines.front().curve->y.observable;
   const auto every = [&](const auto& same) {
     return std::all_of(content.lines.begin(), content.lines.end(),
                        [&](const PlotLine& l) { return same(*l.curve->y.observable); });
   };
-  if (every([&](const Observable& o) { return o.unit == first.unit; })) {
-    content.unit = shown_unit(first);
+  if (every([&](const Observable& o) { return o.unit == front.unit; })) {
+    content.unit = shown_unit(front);
     for (PlotLine& line : content.lines) line.unit = content.unit;
-    content.scale = scale_of(first);
+    content.scale = scale_of(front);
     const bool drifts = std::all_of(content.lines.begin(), content.lines.end(), [](const PlotLine& l) {
       return is_drift(*l.curve->y.observable) || !l.curve->y.less.empty();
     });
@@ -169,14 +196,15 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
   // The part that all lines share is in the title instead.
   const bool one_body = plot.x && plot.x->bodies == plot.y.front().bodies && plot.y.size() == 1;
   if (content.lines.size() == 1) {
-    content.title =
-        one_body ? text_of(first.label) + residual_mark(plot.y.front()) : content.lines.front().label;
+    content.title = one_body ? text_of(front.label) + residual_mark(plot.y.front(), is_of_first(plot.y.front()))
+                             : content.lines.front().label;
     content.lines.front().label.clear();
-  } else if (every([&](const Observable& o) { return &o == &first; })) {
-    content.title = text_of(first.label);
+  } else if (every([&](const Observable& o) { return &o == &front; })) {
+    content.title = text_of(front.label);
     for (std::size_t i = 0; i < content.lines.size(); ++i) {
       const QString names = names_of(plot.y[i]);
-      content.lines[i].label = (names.isEmpty() ? content.title : names) + residual_mark(plot.y[i]);
+      content.lines[i].label =
+          (names.isEmpty() ? content.title : names) + residual_mark(plot.y[i], is_of_first(plot.y[i]));
     }
   } else {
     content.title = QStringLiteral("Plot");
@@ -186,6 +214,7 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
   if (!plot.title.empty()) content.title = QString::fromStdString(plot.title);
   // A capital first letter, except for the x of a coordinate.
   if (content.title.size() > 1 && content.title[1] != ' ') content.title[0] = content.title[0].toUpper();
+  take_first_theories(content, bodies, first.taken);
   return content;
 }
 
@@ -195,24 +224,6 @@ Plot without_theories(Plot plot) {
   std::erase_if(plot.y, is_residual);
   for (QuantityName& line : plot.y) line.theory.clear();
   return plot;
-}
-
-PlotContent content_of(const Plot& plot, std::span<const Body> bodies, std::span<const Plot> first) {
-  PlotContent content = content_of(plot, bodies);
-  const auto left_of = std::find_if(first.begin(), first.end(), [&plot](const Plot& each) {
-    Plot left = without_theories(each);
-    left.notes = plot.notes;
-    return each.id.empty() && left == plot;
-  });
-  if (left_of == first.end()) return content;
-  Plot with_theories = *left_of;
-  if (with_theories.y.size() > plot.y.size())
-    std::erase_if(with_theories.y, [](const QuantityName& line) { return line.residual; });
-  const PlotContent then = content_of(with_theories, bodies);
-  for (std::size_t i = 0; i < content.lines.size(); ++i) {
-    if (content.lines[i].theory.empty()) content.lines[i].first_theory = then.lines[i].theory;
-  }
-  return content;
 }
 
 }  // namespace carom

@@ -22,7 +22,21 @@ struct PlotLine {
   std::optional<Curve> curve;
   bool sum = false;       // of the others: a broad line behind them, visible where it coincides with one
   Theory theory{};        // drawn beside it
-  Theory first_theory{};  // drawn in its place: that of the scene before it was edited
+  Theory first_theory{};  // drawn in its place: that of the first scene
+};
+
+// A closed form as a plot has it.
+struct PlottedTheory {
+  QuantityName line;
+  std::optional<QuantityName> x{};
+
+  bool operator==(const PlottedTheory&) const = default;
+};
+
+// Theories of the first scene, before it was edited.
+struct FirstTheories {
+  std::vector<Plot> taken{};          // the plots from which an edit took them, as they were
+  std::vector<PlottedTheory> kept{};  // those that plots still have
 };
 
 // The values that count as zero, and the range shown then, as parts of the run's scale.
@@ -56,12 +70,10 @@ struct PlotContent {
 // The named plots, in the order of the menu.
 [[nodiscard]] std::span<const PlotContent> named_plots();
 
-// The content of a scene's plot. Throws SceneError where a body does not exist.
-[[nodiscard]] PlotContent content_of(const Plot& plot, std::span<const Body> bodies);
-
-// The same with the theories that the plot had in the first scene, if it is left of one of these plots.
+// The content of a scene's plot, with the theories that it had in the first scene, if an edit took them. Throws
+// SceneError where a body does not exist.
 [[nodiscard]] PlotContent content_of(const Plot& plot, std::span<const Body> bodies,
-                                     std::span<const Plot> first);
+                                     const FirstTheories& first = {});
 
 // A plot of measured values alone; one of residuals only stays, as nothing would be left.
 [[nodiscard]] Plot without_theories(Plot plot);

@@ -23,6 +23,20 @@
 #include "widgets/plot/runs_legend.h"
 
 namespace carom {
+namespace {
+
+// Whether both are drawn the same, but for their notes.
+bool looks_alike(const PlotContent& a, const PlotContent& b) {
+  Plot plot = a.plot;
+  plot.notes = b.plot.notes;
+  return plot == b.plot && a.title == b.title &&
+         std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
+                    [](const PlotLine& x, const PlotLine& y) {
+                      return x.label == y.label && x.theory == y.theory && x.first_theory == y.first_theory;
+                    });
+}
+
+}  // namespace
 
 PlotPanel::PlotPanel(const Theme& theme, QWidget* parent) : QWidget(parent), theme_(theme) {
   auto* layout = new QVBoxLayout(this);
@@ -100,22 +114,23 @@ void PlotPanel::set_bodies(const std::vector<Body>& bodies, const std::vector<Pl
 }
 
 void PlotPanel::change_plots(const std::vector<Plot>& plots) {
-  if (plots == chosen()) return;
-  const auto same = [](Plot a, const Plot& b) {
-    a.notes = b.notes;
-    return a == b;
+  std::vector<PlotContent> contents;
+  for (const Plot& plot : plots) contents.push_back(content_of(plot, bodies_, first_theories_));
+  const auto shows = [](const RunPlot* plot, const PlotContent& content) {
+    return looks_alike(plot->content(), content);
   };
+  if (plots == chosen() && std::equal(plots_.begin(), plots_.end(), contents.begin(), shows)) return;
   std::vector<RunPlot*> old = std::exchange(plots_, {});
-  for (const Plot& plot : plots) {
-    const auto shown = std::find_if(old.begin(), old.end(),
-                                    [&](const RunPlot* each) { return same(each->content().plot, plot); });
+  for (const PlotContent& content : contents) {
+    const auto shown =
+        std::find_if(old.begin(), old.end(), [&](const RunPlot* each) { return shows(each, content); });
     if (shown == old.end()) {
-      insert(plots_.size(), content_of(plot, bodies_, first_theories_));
+      insert(plots_.size(), content);
       continue;
     }
     plots_.push_back(*shown);
     old.erase(shown);
-    plots_.back()->set_notes(plot.notes);
+    plots_.back()->set_notes(content.plot.notes);
     static_cast<QVBoxLayout*>(layout())->insertWidget(static_cast<int>(plots_.size()), plots_.back(), 1);
   }
   for (RunPlot* plot : old) drop(plot);

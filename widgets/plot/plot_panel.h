@@ -38,9 +38,8 @@ class PlotPanel : public QWidget {
   void set_theme(const Theme& theme);
   // Sets the plots of a scene with these bodies; none: default_plots(). Resets the zoom.
   void set_plots(const std::vector<Plot>& plots, const std::vector<Body>& bodies);
-  // Plots with theories of the first scene: what is left of one of them, and is shown from now on, has them
-  // still, marked in its legend.
-  void set_first_theories(const std::vector<Plot>& plots) { first_theories_ = plots; }
+  // Theories of the first scene: plots that are set from now on have them marked, also those that an edit took.
+  void set_first_theories(const FirstTheories& theories) { first_theories_ = theories; }
   // Updates the bodies, with plots of them; updates the plots, keeping those that are shown already.
   void set_bodies(const std::vector<Body>& bodies, const std::vector<Plot>& plots);
   void change_plots(const std::vector<Plot>& plots);
@@ -127,7 +126,7 @@ class PlotPanel : public QWidget {
   Theme theme_;
   QMenu* menu_;  // which plots are shown
   std::vector<Body> bodies_;
-  std::vector<Plot> first_theories_;
+  FirstTheories first_theories_;
   RunsLegend* legend_;
   std::vector<PlottedRun> runs_{{std::make_shared<const Recorder>(), {}}};
   std::vector<RunPlot*> plots_;

@@ -12,11 +12,11 @@ namespace carom {
 
 PlotTheories::PlotTheories(const PlotContent& content, QwtPlot* plot, QWidget* parent) {
   QStringList formulas;
-  bool of_first = false;
+  std::size_t of_first = 0;
   for (const PlotLine& line : content.lines) {
     const Theory& theory = line.theory.empty() ? line.first_theory : line.theory;
     if (theory.empty()) continue;
-    of_first = of_first || line.theory.empty();
+    if (line.theory.empty()) ++of_first;
     auto curve =
         std::make_unique<TheoryCurve>(theory.formula, content.plot.x.has_value(), content.plot.logarithmic);
     constexpr double kBelow = 15.0;  // curves have 20
@@ -27,9 +27,11 @@ PlotTheories::PlotTheories(const PlotContent& content, QwtPlot* plot, QWidget* p
     formulas << (line.label.isEmpty() ? formula : line.label + ": " + formula);
   }
   if (curves_.empty()) return;
-  button_ = new LegendButton(of_first ? QCoreApplication::translate("PlotTheories", "theory of the first scene")
-                                      : QCoreApplication::translate("PlotTheories", "theory"),
-                             formulas.join('\n'), parent);
+  const QString text = of_first == 0 ? QCoreApplication::translate("PlotTheories", "theory")
+                       : of_first == curves_.size()
+                           ? QCoreApplication::translate("PlotTheories", "theory of the first scene")
+                           : QCoreApplication::translate("PlotTheories", "theory, partly of the first scene");
+  button_ = new LegendButton(text, formulas.join('\n'), parent);
 }
 
 PlotTheories::~PlotTheories() = default;

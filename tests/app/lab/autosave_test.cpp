@@ -29,6 +29,7 @@
 #include "tests/support/effort.h"
 #include "tests/support/wait_events.h"
 #include "widgets/plot/plot_panel.h"
+#include "widgets/plot/run_plot.h"
 #include "widgets/scene/scene_view.h"
 
 namespace carom {
@@ -257,6 +258,19 @@ TEST_F(KeptFileTest, TheWorkIsSavedToItsFileAgain) {
   EXPECT_TRUE(window->isWindowModified());
   EXPECT_TRUE(window->save());
   EXPECT_EQ(saved_bodies(), 3U);
+}
+
+// The body was added: theories on the plots are for the scene without it.
+TEST_F(KeptFileTest, TheoriesComeBackWithTheirMark) {
+  const auto window = lab(kept());
+  click(*window, "Restore");
+  const auto said = [&window] {
+    const auto legend = window->findChild<PlotPanel*>()->plots().front()->legend();
+    return legend.back().first;
+  };
+  EXPECT_EQ(said(), "theory of the first scene");
+  window->session().starts().go_to_first();
+  EXPECT_EQ(said(), "theory");
 }
 
 TEST_F(KeptFileTest, AFileThatIsGoneIsMadeAgain) {

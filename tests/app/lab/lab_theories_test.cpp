@@ -1,0 +1,121 @@
+#include <algorithm>
+
+#include "app/library/preset_library.h"
+#include "physics/preset/preset_file.h"
+#include "tests/app/lab/hands_fixture.h"
+#include "widgets/plot/run_plot.h"
+
+// Theories on the plots of one's own experiment are its author's: an edit of the scene marks them, and keeps
+// them.
+namespace carom {
+namespace {
+
+class LabTheoriesTest : public LabHandsTest {
+ protected:
+  void SetUp() override {
+    ASSERT_NO_FATAL_FAILURE(LabHandsTest::SetUp());
+    QFile::copy(QString::fromStdString(find_preset("head-on").string()), mine_);
+    ASSERT_TRUE(window_.open(mine_.toStdString()));
+    ASSERT_TRUE(shows_start());
+  }
+  // What the legends say of theories.
+  [[nodiscard]] std::string said() {
+    QStringList all;
+    for (const RunPlot* plot : panel().plots()) {
+      for (const auto& [name, pen] : plot->legend()) {
+        if (name.startsWith("theory")) all << name;
+      }
+    }
+    return all.join("; ").toStdString();
+  }
+  [[nodiscard]] std::size_t theories(const Preset& preset) {
+    std::size_t count = 0;
+    for (const Plot& plot : preset.plots) {
+      count += static_cast<std::size_t>(std::count_if(
+          plot.y.begin(), plot.y.end(), [](const QuantityName& line) { return !line.theory.empty(); }));
+    }
+    return count;
+  }
+  void give_mass(const QString& mass) {
+    select(now("light").position);
+    type("Mass, kg", mass);
+  }
+  [[nodiscard]] PlotPanel& panel() { return *window_.findChild<PlotPanel*>(); }
+
+  const QString mine_ = folder_.filePath("mine.json");
+  const std::string plain_ = "theory";
+  const std::string marked_ = "theory of the first scene";
+};
+
+TEST_F(LabTheoriesTest, AnEditMarksThemAndUndoTakesTheMarkBack) {
+  EXPECT_EQ(said(), plain_);
+  give_mass("2 kg");
+  EXPECT_EQ(said(), marked_);
+  EXPECT_EQ(theories(window_.preset()), 2U) << "they stay in the document";
+  give_mass("3 kg");
+  EXPECT_EQ(said(), marked_);
+  undo();
+  EXPECT_EQ(said(), marked_);
+  undo();
+  EXPECT_EQ(said(), plain_);
+  window_.session().edits().redo();
+  EXPECT_EQ(said(), marked_);
+}
+
+TEST_F(LabTheoriesTest, TheFirstStartHasThemUnmarked) {
+  window_.run_until(0.2);
+  ASSERT_TRUE(wait_for([this] { return time() >= 0.2; }));
+  Body body = window_.session().runs().scene()->bodies[0];
+  body.position.y() += 0.5;
+  window_.session().edit({Replace<Body>{body}}, "Move light");
+  ASSERT_TRUE(wait_for([this] { return time() == 0.0; }));
+  EXPECT_EQ(said(), marked_);
+  window_.session().starts().go_to_first();
+  ASSERT_TRUE(shows_start());
+  EXPECT_EQ(said(), plain_);
+  window_.session().starts().go_to(window_.session().starts().known().at(1));
+  ASSERT_TRUE(shows_start());
+  EXPECT_EQ(said(), marked_);
+}
+
+// It is for the scene as it is then.
+TEST_F(LabTheoriesTest, ATheoryThatIsTypedAfterTheEditHasNoMark) {
+  give_mass("2 kg");
+  ASSERT_EQ(said(), marked_);
+  Plot plot = panel().plots().front()->content().plot;
+  plot.y[0].theory = "1 + t";
+  panel().replace(panel().plots().front(), plot);
+  EXPECT_EQ(said(), "theory, partly of the first scene");
+  plot.y[1].theory = "2 + t";
+  panel().replace(panel().plots().front(), plot);
+  EXPECT_EQ(said(), plain_);
+  give_mass("3 kg");
+  EXPECT_EQ(said(), marked_);
+  undo();
+  EXPECT_EQ(said(), plain_);
+}
+
+TEST_F(LabTheoriesTest, AResidualIsMarkedInItsTitle) {
+  Plot plot = panel().plots().front()->content().plot;
+  plot.y.resize(1);
+  plot.y[0].residual = true;
+  panel().replace(panel().plots().front(), plot);
+  const auto title = [this] { return panel().plots().front()->content().title.toStdString(); };
+  EXPECT_EQ(title(), "x of light − theory");
+  give_mass("2 kg");
+  EXPECT_EQ(title(), "x of light − theory of the first scene");
+  undo();
+  EXPECT_EQ(title(), "x of light − theory");
+}
+
+TEST_F(LabTheoriesTest, AnotherNameOfABodyIsFollowed) {
+  give_mass("2 kg");
+  Body body = window_.preset().scene.bodies[0];
+  body.name = "small";
+  window_.session().edit({Replace<Body>{body}}, "Rename");
+  EXPECT_EQ(said(), marked_);
+  EXPECT_EQ(window_.preset().plots[0].y[0].bodies[0], "small");
+}
+
+}  // namespace
+}  // namespace carom
