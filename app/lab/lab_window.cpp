@@ -50,6 +50,22 @@ QString dropped_file(const QMimeData& data) {
   return urls.size() == 1 ? urls.front().toLocalFile() : QString();
 }
 
+// "saved as %1", and what the file has of the theories of the first scene that are seen: an edit took those of
+// a built-in experiment from its plots; one's own are still there.
+QString saved_text(const std::vector<PlotContent>& contents) {
+  bool taken = false;
+  bool kept = false;
+  for (const PlotContent& content : contents) {
+    for (std::size_t i = 0; i < content.lines.size(); ++i) {
+      if (content.lines[i].first_theory.empty()) continue;
+      (content.plot.y[i].theory.empty() ? taken : kept) = true;
+    }
+  }
+  if (taken) return LabWindow::tr("saved as %1, without the theories of the first scene");
+  return kept ? LabWindow::tr("saved as %1; its theories are those of the first scene")
+              : LabWindow::tr("saved as %1");
+}
+
 }  // namespace
 
 LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
@@ -210,7 +226,7 @@ void LabWindow::show_title() {
 
 void LabWindow::say_saved(const QString& file) {
   show_title();
-  say_for_a_while(tr("saved as %1").arg(QFileInfo(file).fileName()));
+  say_for_a_while(saved_text(plots_->contents()).arg(QFileInfo(file).fileName()));
 }
 
 void LabWindow::say_for_a_while(const QString& text) {

@@ -36,6 +36,13 @@ class LabTheoriesTest : public LabHandsTest {
     }
     return count;
   }
+  // Whether a chip says this; its tip does so whole.
+  [[nodiscard]] bool says(const QString& text) {
+    const auto chips = window_.findChildren<QLabel*>("chip");
+    return std::any_of(chips.begin(), chips.end(), [&text](const QLabel* chip) {
+      return chip->isVisible() && chip->toolTip().contains(text);
+    });
+  }
   void give_mass(const QString& mass) {
     select(now("light").position);
     type("Mass, kg", mass);
@@ -115,6 +122,31 @@ TEST_F(LabTheoriesTest, AnotherNameOfABodyIsFollowed) {
   window_.session().edit({Replace<Body>{body}}, "Rename");
   EXPECT_EQ(said(), marked_);
   EXPECT_EQ(window_.preset().plots[0].y[0].bodies[0], "small");
+}
+
+// Saved is what its author wrote; the one line says that it's not of this scene.
+TEST_F(LabTheoriesTest, SavingKeepsThemAndSaysWhoseTheyAre) {
+  ASSERT_TRUE(window_.save());
+  EXPECT_TRUE(says("saved as mine.json"));
+  EXPECT_FALSE(says("first scene"));
+  give_mass("2 kg");
+  ASSERT_TRUE(window_.save());
+  EXPECT_TRUE(says("saved as mine.json; its theories are those of the first scene"));
+  EXPECT_EQ(theories(read_preset(mine_.toStdString())), 2U);
+  EXPECT_EQ(said(), marked_);
+}
+
+// Those of a built-in experiment belong to it alone.
+TEST_F(LabTheoriesTest, SavingAnEditedExperimentSaysThatItsTheoriesAreNotInTheFile) {
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(shows_start());
+  give_mass("2 kg");
+  ASSERT_EQ(said(), marked_);
+  chosen_file_ = folder_.filePath("lesson.json");
+  action("Save")->trigger();
+  EXPECT_TRUE(
+      wait_for([this] { return says("saved as lesson.json, without the theories of the first scene"); }));
+  EXPECT_EQ(theories(read_preset(folder_.filePath("lesson.json").toStdString())), 0U);
 }
 
 }  // namespace
