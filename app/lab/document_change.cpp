@@ -164,11 +164,6 @@ void take_theories(std::vector<Plot>& plots, std::vector<Plot>& first) {
   }
 }
 
-Method possible(Method method, const Scene& scene) {
-  if (why_not(scene, method.integrator)) method.integrator = IntegratorId::kRk4;
-  return method;
-}
-
 // Plots that are left of these once their theories went have them again.
 std::vector<Plot> with_theories(std::vector<Plot> plots, const std::vector<Plot>& of_start) {
   for (Plot& plot : plots) {
@@ -177,6 +172,24 @@ std::vector<Plot> with_theories(std::vector<Plot> plots, const std::vector<Plot>
     if (same != of_start.end()) plot = *same;
   }
   return plots;
+}
+
+// The plots, and what is known of theories, once the document gets another scene: an experiment keeps the
+// theories of plots that have them `there`.
+void leave_theories(const Document& document, const std::vector<Renamed>& renamed,
+                    const std::vector<Plot>& there, DocumentChange& change) {
+  std::vector<Plot> plots = with_names(document.preset.plots, renamed);
+  std::vector<Plot> first = with_names(document.first_theories, renamed);
+  if (document.is_experiment) take_theories(plots, first);
+  plots = with_theories(std::move(plots), there);
+  if (first != document.first_theories) change.emplace_back(SetFirstTheories{std::move(first)});
+  keep_own_theories(document, renamed, change);
+  if (plots != document.preset.plots) change.emplace_back(SetPlots{std::move(plots)});
+}
+
+Method possible(Method method, const Scene& scene) {
+  if (why_not(scene, method.integrator)) method.integrator = IntegratorId::kRk4;
+  return method;
 }
 
 // The methods that the scene allows, where that is not all of them.
@@ -234,12 +247,7 @@ DocumentChange change_to(const Document& document, Beginning start, SceneEdits e
   if (start.saved.has_value() != preset.saved.has_value() || (preset.saved && preset.saved->fingerprint != 0))
     change.emplace_back(SetSaved{std::move(start.saved)});
   if (!preset.expect.empty()) change.emplace_back(SetExpectations{{}});
-  std::vector<Plot> plots = with_names(preset.plots, renamed);
-  std::vector<Plot> first = with_names(document.first_theories, renamed);
-  if (document.is_experiment) take_theories(plots, first);
-  if (first != document.first_theories) change.emplace_back(SetFirstTheories{std::move(first)});
-  keep_own_theories(document, renamed, change);
-  if (plots != preset.plots) change.emplace_back(SetPlots{std::move(plots)});
+  leave_theories(document, renamed, {}, change);
   std::vector<Stop> stops = with_names(preset.stops, renamed);
   if (stops != preset.stops) change.emplace_back(SetStops{std::move(stops)});
   limit_methods(document, after, change);
@@ -339,9 +347,7 @@ DocumentChange change_to_start(const Document& document, const Start& start) {
   const std::vector<Renamed> renamed = renamed_to(preset, start);
   DocumentChange change = {SetScene{start.scene}, SetLateBodies{start.late}, SetSaved{start.saved},
                            SetExpectations{start.expectations}, SetOrigin{start.origin}};
-  std::vector<Plot> plots = with_theories(with_names(preset.plots, renamed), start.plots);
-  keep_own_theories(document, renamed, change);
-  if (plots != preset.plots) change.emplace_back(SetPlots{std::move(plots)});
+  leave_theories(document, renamed, start.plots, change);
   std::vector<Stop> stops = with_names(preset.stops, renamed);
   if (stops != preset.stops) change.emplace_back(SetStops{std::move(stops)});
   limit_methods(document, start.scene, change);

@@ -85,6 +85,26 @@ TEST_F(LabTheoriesTest, TheFirstStartHasThemUnmarked) {
   EXPECT_EQ(said(), marked_);
 }
 
+TEST_F(LabTheoriesTest, ALaterStartOfAnExperimentHasThemMarked) {
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(shows_start());
+  window_.run_until(0.2);
+  ASSERT_TRUE(wait_for([this] { return time() >= 0.2; }));
+  Body body = window_.session().runs().scene()->bodies[0];
+  body.name = "small";
+  body.position.y() += 0.5;
+  window_.session().edit({Replace<Body>{body}}, "Move light");
+  ASSERT_TRUE(wait_for([this] { return time() == 0.0; }));
+  EXPECT_EQ(said(), marked_);
+  window_.session().starts().go_to_first();
+  EXPECT_EQ(said(), plain_);
+  window_.session().starts().go_to(window_.session().starts().known().at(1));
+  EXPECT_EQ(said(), marked_);
+  EXPECT_EQ(theories(window_.preset()), 0U);
+  undo();
+  EXPECT_EQ(said(), plain_);
+}
+
 // It is for the scene as it is then.
 TEST_F(LabTheoriesTest, ATheoryThatIsTypedAfterTheEditHasNoMark) {
   give_mass("2 kg");
