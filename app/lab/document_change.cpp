@@ -354,6 +354,13 @@ DocumentChange change_to_start(const Document& document, const Start& start) {
   return change;
 }
 
+std::vector<Plot> theories_left_at(const Start& start, const Document& document) {
+  Document there = document;
+  apply_change(there, change_to_start(there, start));
+  apply_change(there, change_to_start(there, start_of(document)));
+  return there.first_theories;
+}
+
 SceneEdits with_motion_of(const std::vector<Body>& bodies, const SceneEdits& edits) {
   SceneEdits kept = edits;
   for (SceneEdit& edit : kept) {

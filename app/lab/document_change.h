@@ -125,6 +125,8 @@ struct Start {
 // The change to another start: methods stay as far as it allows them, and so do plots, but for those of bodies
 // that it does not have.
 [[nodiscard]] DocumentChange change_to_start(const Document& document, const Start& start);
+// An experiment's plots with the theories that the way from this start to the document took from them.
+[[nodiscard]] std::vector<Plot> theories_left_at(const Start& start, const Document& document);
 
 // What the start takes over from edits of a running scene that are not about motion: bodies keep the place and
 // the motion that they have at the start.

@@ -50,6 +50,7 @@ class EditHistory : public QObject {
   // part.
   void set_origin(const StartOrigin& origin) { document_.start = origin; }
   void set_own_theories(const std::vector<OwnTheory>& theories) { document_.own_theories = theories; }
+  void set_first_theories(const std::vector<Plot>& plots) { document_.first_theories = plots; }
   void count_id() { ++document_.preset.scene.ids_given; }
   void count_ids_to(std::uint32_t given) {
     document_.preset.scene.ids_given = std::max(document_.preset.scene.ids_given, given);

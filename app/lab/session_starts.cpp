@@ -112,6 +112,7 @@ void SessionStarts::recover(const KeptStarts& starts) {
       history_.set_own_theories(starts[i].theories);
     }
     if (i == 0) {
+      if (starts[i].preset) history_.set_first_theories(theories_left_at(all[i], history_.document()));
       set_first(std::move(all[i]));
     } else if (starts[i].preset) {
       const QString name = name_of(all[i]);

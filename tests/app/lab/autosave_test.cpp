@@ -75,6 +75,30 @@ class AutosaveTest : public testing::Test {
     lock.write(QByteArray::number(pid) + "\ncarom_app_tests\n" + QSysInfo::machineHostName().toUtf8() +
                "\n\n\n");
   }
+  // The parts of the work of a window that adds a body to this experiment, keeps it and is then killed.
+  void leave_work_on(const std::string& experiment) const {
+    std::vector<std::pair<QString, QByteArray>> parts;
+    {
+      const auto window = lab(kept());
+      ASSERT_TRUE(window->open(experiment));
+      ASSERT_TRUE(test::wait_in_event_loop([&] { return window->frame() != nullptr; }));
+      add_body(*window);
+      window->keep_now();
+      for (const QString& name : QDir(kept()).entryList(QDir::Files)) parts.emplace_back(name, bytes(name));
+    }
+    for (const auto& [name, text] : parts) {
+      if (name.endsWith(".json")) leave_work(name, text);
+    }
+    for (const auto& [name, text] : parts) {
+      if (name.endsWith(".json") || name.endsWith(".lock")) continue;
+      QFile file(kept() + "/" + name);
+      ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+      file.write(text);
+    }
+  }
+  static QString last_of_legend(const LabWindow& window) {
+    return window.findChild<PlotPanel*>()->plots().front()->legend().back().first;
+  }
   static QByteArray work(const std::string& title) {
     Preset preset = read_preset(find_preset("head-on"));
     preset.title = title;
@@ -222,33 +246,16 @@ TEST_F(AutosaveTest, TheStartsComeBackWithTheWork) {
             read_preset(find_preset("head-on")).scene.bodies[0].position);
 }
 
-// The parts of the work of a window that keeps it and is then killed.
+// Work on a file of one's own.
 class KeptFileTest : public AutosaveTest {
  protected:
   void SetUp() override {
     ASSERT_TRUE(QFile::copy(QString::fromStdString(find_preset("head-on").string()), mine_));
-    {
-      const auto window = lab(kept());
-      ASSERT_TRUE(window->open(mine_.toStdString()));
-      ASSERT_TRUE(test::wait_in_event_loop([&] { return window->frame() != nullptr; }));
-      add_body(*window);
-      window->keep_now();
-      for (const QString& name : QDir(kept()).entryList(QDir::Files)) parts_.emplace_back(name, bytes(name));
-    }
-    for (const auto& [name, text] : parts_) {
-      if (name.endsWith(".json")) leave_work(name, text);
-    }
-    for (const auto& [name, text] : parts_) {
-      if (name.endsWith(".json") || name.endsWith(".lock")) continue;
-      QFile file(kept() + "/" + name);
-      ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-      file.write(text);
-    }
+    ASSERT_NO_FATAL_FAILURE(leave_work_on(mine_.toStdString()));
   }
   [[nodiscard]] std::size_t saved_bodies() const { return all_bodies(read_preset(mine_.toStdString())).size(); }
 
   const QString mine_ = folder_.filePath("mine.json");
-  std::vector<std::pair<QString, QByteArray>> parts_;
 };
 
 TEST_F(KeptFileTest, TheWorkIsSavedToItsFileAgain) {
@@ -264,13 +271,18 @@ TEST_F(KeptFileTest, TheWorkIsSavedToItsFileAgain) {
 TEST_F(KeptFileTest, TheoriesComeBackWithTheirMark) {
   const auto window = lab(kept());
   click(*window, "Restore");
-  const auto said = [&window] {
-    const auto legend = window->findChild<PlotPanel*>()->plots().front()->legend();
-    return legend.back().first;
-  };
-  EXPECT_EQ(said(), "theory of the first scene");
+  EXPECT_EQ(last_of_legend(*window), "theory of the first scene");
   window->session().starts().go_to_first();
-  EXPECT_EQ(said(), "theory");
+  EXPECT_EQ(last_of_legend(*window), "theory");
+}
+
+TEST_F(AutosaveTest, TheoriesOfAnExperimentComeBackWithTheirMark) {
+  ASSERT_NO_FATAL_FAILURE(leave_work_on("head-on"));
+  const auto window = lab(kept());
+  click(*window, "Restore");
+  EXPECT_EQ(last_of_legend(*window), "theory of the first scene");
+  window->session().starts().go_to_first();
+  EXPECT_EQ(last_of_legend(*window), "theory");
 }
 
 TEST_F(KeptFileTest, AFileThatIsGoneIsMadeAgain) {
