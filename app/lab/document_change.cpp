@@ -332,6 +332,12 @@ DocumentChange change_to_moment(const Document& document, const Scene& now, doub
   return change_to(document, std::move(start), edits);
 }
 
+DocumentChange change_of_late_bodies(const Document& document, std::vector<RunEdit> late) {
+  DocumentChange change = {SetLateBodies{std::move(late)}};
+  leave_theories(document, {}, {}, change);
+  return change;
+}
+
 Start start_of(const Document& document) {
   const Preset& preset = document.preset;
   return {document.start, preset.scene, preset.edits, preset.saved, preset.expect, preset.plots};

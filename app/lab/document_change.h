@@ -103,6 +103,9 @@ DocumentChange apply_change(Document& document, const DocumentChange& change);
 [[nodiscard]] DocumentChange change_to_moment(const Document& document, const Scene& now, double time,
                                               const SceneEdits& edits);
 
+// The change where other bodies come in on the way of the document's runs, which is another scene.
+[[nodiscard]] DocumentChange change_of_late_bodies(const Document& document, std::vector<RunEdit> late);
+
 // The change to the methods that such a scene allows, where those of the document are not: RK4 instead of exact
 // flight, and another reference.
 [[nodiscard]] DocumentChange change_of_methods(const Document& document, const Scene& scene);

@@ -182,7 +182,7 @@ std::string Session::add_body(double x, double y, std::optional<double> radius) 
   history_.cut_at_shown(what);
   what.runs = runs().worker().edit_scene(edits, what.runs);
   add_edit(late, {now, what.runs, edits});
-  history_.push(what, {SetLateBodies{late}});
+  history_.push(what, change_of_late_bodies(history_.document(), std::move(late)));
   return body.name;
 }
 

@@ -105,6 +105,23 @@ TEST_F(LabTheoriesTest, ALaterStartOfAnExperimentHasThemMarked) {
   EXPECT_EQ(said(), plain_);
 }
 
+// The runs go on with one body more.
+TEST_F(LabTheoriesTest, ADiscDroppedIntoARunMarksThem) {
+  for (const std::string& opened : {mine_.toStdString(), std::string("head-on")}) {
+    SCOPED_TRACE(opened);
+    ASSERT_TRUE(window_.open(opened));
+    ASSERT_TRUE(shows_start());
+    window_.run_until(0.2);
+    ASSERT_TRUE(wait_for([this] { return time() >= 0.2; }));
+    EXPECT_EQ(said(), plain_);
+    window_.session().add_body(0.3, 1.0);
+    EXPECT_EQ(said(), marked_);
+    undo();
+    EXPECT_EQ(said(), plain_);
+    window_.session().edits().setClean();
+  }
+}
+
 // It is for the scene as it is then.
 TEST_F(LabTheoriesTest, ATheoryThatIsTypedAfterTheEditHasNoMark) {
   give_mass("2 kg");
