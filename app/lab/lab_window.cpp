@@ -128,6 +128,10 @@ void LabWindow::connect_session() {
   connect(files_, &DocumentFiles::stayed, this, [this] { list_->set_current(session_.name()); });
   connect(files_, &DocumentFiles::saved, this, &LabWindow::say_saved);
   connect(recovery_, &WorkRecovery::keptChanged, this, &LabWindow::show_notices);
+  // The button that had the focus is hidden.
+  connect(restore_bar_, &NoticeBar::dismissed, this, [this] {
+    if (!restore_bar_->isVisible()) view_->setFocus();
+  });
   connect(recovery_, &WorkRecovery::restoreAsked, this,
           [this](const Preset& work, const KeptStarts& starts, const WorkSource& source) {
             files_->when_saved([this, work, starts, source] {

@@ -339,6 +339,22 @@ TEST_F(AutosaveTest, TheStartsOfAKilledWindowComeBack) {
   }
 }
 
+TEST_F(AutosaveTest, TheKeysAreTheScenesOnceAnOfferIsDiscarded) {
+  leave_work("work-1-0.json", work("One"));
+  const auto window = lab(kept());
+  QApplication::setActiveWindow(window.get());
+  for (auto* button : bar(*window)->findChildren<QPushButton*>()) {
+    if (button->text() != "Discard") continue;
+    button->setFocus();
+    QTest::keyClick(button, Qt::Key_Return);
+  }
+  ASSERT_FALSE(bar(*window)->isVisible());
+  QWidget* focus = QApplication::focusWidget();
+  ASSERT_NE(focus, nullptr);
+  QTest::keyClick(focus, Qt::Key_A, Qt::ControlModifier);
+  EXPECT_EQ(window->scene_view().selection().size(), 2U) << focus->metaObject()->className();
+}
+
 TEST_F(AutosaveTest, WorkThatIsNotWantedIsOfferedOnce) {
   leave_work("work-1-0.json", work("One"));
   leave_work("work-2-0.json", work("Two"));
