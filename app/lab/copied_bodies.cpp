@@ -6,6 +6,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "widgets/scene/grid.h"
 #include "widgets/scene/new_body.h"
 
 namespace carom {
@@ -116,10 +117,12 @@ Extent extent_of(const std::vector<Body>& bodies) {
 
 Vec2 shift_beside(const std::vector<Body>& copied, const std::vector<Body>& others, const Extent& seen) {
   const Extent own = extent_of(copied);
-  const Vec2 size = own.upper - own.lower;
-  if (!(size.array() >= 0.0).all()) return Vec2::Zero();
-  const Vec2 steps[] = {
-      {1.1 * size.x(), 0.0}, {0.0, 1.1 * size.y()}, {-1.1 * size.x(), 0.0}, {0.0, -1.1 * size.y()}};
+  const double longest = (own.upper - own.lower).maxCoeff();
+  if (!(longest > 0.0)) return Vec2::Zero();
+  const Vec2 room = 1.1 * (own.upper - own.lower).cwiseMax(0.1 * longest);  // a level wall has no height
+  const double x = step_not_below(room.x());
+  const double y = step_not_below(room.y());
+  const Vec2 steps[] = {{x, 0.0}, {0.0, y}, {-x, 0.0}, {0.0, -y}};
   std::optional<Vec2> in_sight;
   for (const Vec2& step : steps) {
     const Extent there{own.lower + step, own.upper + step};

@@ -29,7 +29,8 @@ struct Extent {
 [[nodiscard]] Extent extent_of(const std::vector<Body>& bodies);
 
 // m: where a copy of these bodies stands beside them: to the right, above, to the left or below, the first of
-// these places that is in sight and free, else the first in sight, else to the right.
+// these places that is in sight and free, else the first in sight, else to the right. The way there is 1, 2 or
+// 5 times a power of ten, so that typed places stay short numbers.
 [[nodiscard]] Vec2 shift_beside(const std::vector<Body>& copied, const std::vector<Body>& others,
                                 const Extent& seen);
 

@@ -1,6 +1,7 @@
 #include "app/lab/copied_bodies.h"
 
 #include <gtest/gtest.h>
+#include <utility>
 
 #include "tests/support/scenes.h"
 
@@ -12,18 +13,27 @@ using test::disc;
 TEST(CopiedBodies, StandWhereTheyAreSeenAndFree) {
   const std::vector<Body> one = {disc("A", {0.0, 0.0}, {0.0, 0.0}, 0.1)};
   const Extent all{Vec2(-1.0, -1.0), Vec2(1.0, 1.0)};
-  EXPECT_TRUE(shift_beside(one, one, all).isApprox(Vec2(0.22, 0.0), 1e-12));
+  EXPECT_TRUE(shift_beside(one, one, all).isApprox(Vec2(0.5, 0.0), 1e-12));
   std::vector<Body> others = one;
-  others.push_back(disc("B", {0.3, 0.0}, {0.0, 0.0}, 0.1));
-  EXPECT_TRUE(shift_beside(one, others, all).isApprox(Vec2(0.0, 0.22), 1e-12)) << "above";
-  EXPECT_TRUE(shift_beside(one, others, {Vec2(-1.0, -0.1), Vec2(1.0, 0.1)}).isApprox(Vec2(-0.22, 0.0), 1e-12))
+  others.push_back(disc("B", {0.5, 0.0}, {0.0, 0.0}, 0.1));
+  EXPECT_TRUE(shift_beside(one, others, all).isApprox(Vec2(0.0, 0.5), 1e-12)) << "above";
+  EXPECT_TRUE(shift_beside(one, others, {Vec2(-1.0, -0.1), Vec2(1.0, 0.1)}).isApprox(Vec2(-0.5, 0.0), 1e-12))
       << "to the left";
-  EXPECT_TRUE(shift_beside(one, one, {Vec2(-0.1, -0.4), Vec2(0.1, 0.1)}).isApprox(Vec2(0.0, -0.22), 1e-12))
+  EXPECT_TRUE(shift_beside(one, one, {Vec2(-0.1, -0.7), Vec2(0.1, 0.1)}).isApprox(Vec2(0.0, -0.5), 1e-12))
       << "below";
-  EXPECT_TRUE(shift_beside(one, others, {Vec2(-0.1, -0.1), Vec2(0.5, 0.1)}).isApprox(Vec2(0.22, 0.0), 1e-12))
+  EXPECT_TRUE(shift_beside(one, others, {Vec2(-0.1, -0.1), Vec2(0.8, 0.1)}).isApprox(Vec2(0.5, 0.0), 1e-12))
       << "in sight, not free";
-  EXPECT_TRUE(shift_beside(one, one, {Vec2(5.0, 5.0), Vec2(6.0, 6.0)}).isApprox(Vec2(0.22, 0.0), 1e-12))
+  EXPECT_TRUE(shift_beside(one, one, {Vec2(5.0, 5.0), Vec2(6.0, 6.0)}).isApprox(Vec2(0.5, 0.0), 1e-12))
       << "nothing is seen";
+}
+
+// Places that were typed stay short numbers.
+TEST(CopiedBodies, StandARoundFigureBeside) {
+  const Extent all{Vec2(-9.0, -9.0), Vec2(9.0, 9.0)};
+  for (const auto& [radius, shift] : {std::pair(0.062, 0.2), {0.137, 0.5}, {0.4, 1.0}, {0.9, 2.0}}) {
+    const std::vector<Body> one = {disc("A", {0.0, 0.0}, {0.0, 0.0}, radius)};
+    EXPECT_TRUE(shift_beside(one, one, all).isApprox(Vec2(shift, 0.0), 1e-12)) << radius;
+  }
 }
 
 TEST(CopiedBodies, OfALetterHaveTheNextOne) {
