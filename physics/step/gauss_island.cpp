@@ -4,15 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "physics/collision/pair_contact.h"
 #include "physics/contact/contact_velocity.h"
 #include "physics/dynamics/integrators/integrators.h"
-#include "physics/math/sort_unique.h"
 #include "physics/math/vectors.h"
-#include "physics/step/contact_turning.h"
-#include "physics/step/gauss_modes.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 
@@ -21,31 +17,11 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRoot3 = std::numbers::sqrt3;
-// Contacts of the largest island.
-constexpr std::size_t kMostContacts = 32;
-// Of a step: a shorter part has constant forces, as gaps within rounding would need large ones to close in it.
-constexpr double kShortest = 1e-5;
 // Rounds in which forces are corrected. Two leave at most kLeast of what was off before them, or they are the
 // last; then at most kAccepted times the tolerance may be off.
 constexpr int kMostRounds = 20;
 constexpr double kLeast = 0.5;
 constexpr double kAccepted = 1e4;
-// Times the tolerance, and relative to the smaller body: constant forces that leave less are kept where nothing
-// turns.
-constexpr double kNeeded = 1e3;
-constexpr double kLeft = 1e-11;
-// Of what presses a contact in a step, times the step: a contact that is penetrated by more is none yet, nor is
-// one that is open by more than a step closes of a gap that is left from before.
-constexpr double kClosed = 0.05;
-constexpr double kReturns = 0.01;
-// Of full friction: what needs less on the mean of a step does not break away within it, and what needs so much
-// may be at its limit from the start.
-constexpr double kNearLimit = 0.75;
-constexpr double kAtLimit = 1.0 - 1e-4;
-// Relative: a difference from full friction.
-constexpr double kFull = 1e-9;
-// rad: contacts that turn by less have constant normals and arms.
-constexpr double kStill = 1e-11;
 
 // The mean position on a path that is a cubic in time, weighted by the share of a Gauss point.
 Vec2 weighted_mean(std::size_t point, const Motion& from, const Motion& to, double h) {
@@ -71,36 +47,6 @@ std::array<double, 2> moves_by(const World& world) {
   if (choice_of(kIntegrators, world.method.integrator).order == 2 && !world.trajectories.is_parabolic())
     return {gauss_share(0, 0.0), gauss_share(1, 0.0)};
   return {kGaussPoints[1], kGaussPoints[0]};
-}
-
-// m: the gaps of a contact that is closed, and by how much it may close or open in this part of a step.
-struct GapBounds {
-  double deepest = 0.0, widest = 0.0, returns = 0.0;
-};
-GapBounds gap_bounds(const GaussStep& step, int i) {
-  const World& world = step.world;
-  const Contacts& found = step.found.contacts;
-  const BodyIndex a = found.a[i];
-  const BodyIndex b = found.b[i];
-  const double answer = world.mass().inverse_mass[a] + world.mass().inverse_mass[b];
-  // m/s²: by other forces, or by the constant one.
-  const double press =
-      std::max(step.found.press[static_cast<std::size_t>(i)], found.normal_impulse[i] / step.h * answer);
-  if (!step.is_of_few()) {
-    const double shut = press * step.h * step.h;
-    return {kClosed * shut, kReturns * shut, kReturns * shut};
-  }
-  // What constant forces leave in a whole step.
-  const double whole = std::max(step.h, world.method.step);
-  const double shut = press * whole * whole;
-  const double rounding = closed_within(step, a, b, step.found.point[static_cast<std::size_t>(i)]);
-  const double left = 2.0 * (kLeft * smaller_size(world, a, b) + kNeeded * rounding);
-  const double widest = std::max(kReturns * shut, left);
-  return {std::max(kClosed * shut, left), widest, widest * (step.h / whole) * (step.h / whole)};
-}
-
-bool rubs(const GaussStep& step, const GaussContact& c) {
-  return step.found.contacts.kinetic_friction[c.contact] > 0.0;
 }
 
 }  // namespace
@@ -140,134 +86,6 @@ double friction_of(const GaussStep& step, const GaussContact& c) {
 double closed_within(const GaussStep& step, BodyIndex a, BodyIndex b, const Vec2& point) {
   const double size = step.world.shapes().size[a] + step.world.shapes().size[b];
   return std::max(step.tolerance * step.h, 8.0 * kEpsilon * (point.lpNorm<1>() + size));
-}
-
-bool GaussIsland::begin(const GaussStep& step, std::span<const int> contacts) {
-  contacts_ = contacts;
-  if (contacts.size() > kMostContacts || step.h < kShortest * step.world.method.step || !list(step))
-    return false;
-  constant_.resize(3, static_cast<Eigen::Index>(bodies_.size()));
-  for (const BodyIndex body : bodies_)
-    constant_.col(column(body)) = step.world.field().contact_acceleration(body);
-  sample(step);
-  if (!look(step) || is_continued(step)) return false;
-  for (GaussContact& c : closed_) {
-    if (!start(step, c)) return false;
-  }
-  return is_needed(step);
-}
-
-// Lists the closed contacts and all bodies. False if there are none, or if one presses that is not closed.
-bool GaussIsland::list(const GaussStep& step) {
-  const Contacts& found = step.found.contacts;
-  closed_.clear();
-  bodies_.clear();
-  held_.clear();
-  for (const int i : contacts_) {
-    for (const BodyIndex body : {found.a[i], found.b[i]}) bodies_.push_back(body);
-    if (!std::isfinite(found.target[i])) continue;
-    const bool presses = found.normal_impulse[i] > 0.0;
-    const GapBounds bounds = gap_bounds(step, i);
-    const bool closed = found.gap[i] >= -bounds.deepest && found.gap[i] <= bounds.widest;
-    if (presses && (!closed || found.rolling_impulse[i] != 0.0)) return false;
-    if (!closed) continue;
-    GaussContact c;
-    c.contact = i;
-    c.a = found.a[i];
-    c.b = found.b[i];
-    GaussContact* same = presses ? same_contact(step, i) : nullptr;
-    c.presses = presses && same == nullptr;
-    c.stays_open = found.gap[i] - std::clamp(found.gap[i], -bounds.returns, bounds.returns);
-    for (GaussContact::AtPoint& at : (same != nullptr ? *same : c).at) {
-      at.normal_force += found.normal_impulse[i] / step.h;
-      at.tangential_force += found.tangential_impulse[i] / step.h;
-    }
-    c.face = face_of(step, i);
-    if (c.face == static_cast<int>(held_.size())) held_.push_back(false);
-    closed_.push_back(c);
-  }
-  sort_unique(bodies_);
-  return !closed_.empty();
-}
-
-// A contact at the start, and whether it sticks from there on. False if it turns too far within the step.
-bool GaussIsland::start(const GaussStep& step, GaussContact& c) const {
-  Contact contact;
-  RowVelocity velocity;
-  if (!find_contact(step.world, c.a, sampled(c.a).start, c.b, sampled(c.b).start,
-                    step.found.id[static_cast<std::size_t>(c.contact)], contact, velocity) ||
-      contact.normal.dot(c.end.normal) <= kLeastCosine)
-    return false;
-  c.start = {contact.normal, contact.gap, velocity.normal, velocity.tangential};
-  if (!rubs(step, c)) return true;
-  const Contacts& found = step.found.contacts;
-  const bool larger = found.static_friction[c.contact] > found.kinetic_friction[c.contact];
-  const auto slip = [&](double sign, bool at_limit) {
-    c.sticks = false;
-    c.slips = sign;
-    c.at_limit = at_limit;
-  };
-  // What else can't stick is found out from its forces.
-  c.sticks = std::abs(c.start.slip) <= step.slip_speed;
-  if (!c.sticks) slip(std::copysign(1.0, c.start.slip), false);
-  const auto [tangential, most] = friction_on(step, c.face);
-  if (step.is_of_few() && c.sticks && c.presses && std::abs(tangential) >= kAtLimit * most)
-    slip(-std::copysign(1.0, tangential), larger);
-  const std::uint32_t id = step.found.id[static_cast<std::size_t>(c.contact)];
-  for (const GaussBreak& past : step.breaks) {
-    if (c.sticks && past.a == c.a && past.b == c.b && past.id == id) slip(past.slips, larger);
-  }
-  return true;
-}
-
-// N s: the constant tangential force of a face, and what it can be at most.
-std::pair<double, double> GaussIsland::friction_on(const GaussStep& step, int face) const {
-  const Contacts& found = step.found.contacts;
-  std::pair<double, double> sum;
-  for (const GaussContact& c : closed_) {
-    if (c.face != face || !c.presses) continue;
-    sum.first += found.tangential_impulse[c.contact];
-    sum.second += found.static_friction[c.contact] * found.normal_impulse[c.contact];
-  }
-  return sum;
-}
-
-// Whether contacts turn, or constant forces don't do what they should. Under an integrator of order 2 those are
-// as good where nothing rubs, and keep angular momentum.
-bool GaussIsland::is_needed(const GaussStep& step) const {
-  const auto changes = [&](const GaussContact& c) {
-    if (!c.presses || !rubs(step, c)) return false;
-    const Contacts& found = step.found.contacts;
-    if (std::abs(c.start.slip) <= step.slip_speed) {
-      const auto [tangential, most] = friction_on(step, c.face);
-      return found.sticks[c.contact] == 0 || (step.is_of_few() && std::abs(tangential) > kNearLimit * most);
-    }
-    const double full = friction_of(step, c) * found.normal_impulse[c.contact];
-    return std::abs(found.tangential_impulse[c.contact] + c.slips * full) > kFull * full;
-  };
-  const auto may_rub = [&](const GaussContact& c) { return c.presses && rubs(step, c); };
-  if (choice_of(kIntegrators, step.world.method.integrator).order == 2 &&
-      std::none_of(closed_.begin(), closed_.end(), may_rub))
-    return false;
-  if (off(step, kLeft) > kNeeded) return true;
-  const auto turns = [&](BodyIndex body) {
-    return !step.world.shapes().is_disc(body) &&
-           std::abs(sampled(body).end[2] - sampled(body).start[2]) > kStill;
-  };
-  // A place on a body that moves along it shifts the load between its contacts.
-  const auto shifts = [&](const GaussContact& c, BodyIndex body) {
-    const World& world = step.world;
-    if (world.infinite_mass(body) || world.shapes().is_disc(body)) return false;
-    const auto place = [&](std::size_t k) {
-      const Motion& at = sampled(body).at[k];
-      return turned_by(-at[2], Vec2(c.at[k].point - at.head<2>()));
-    };
-    return (place(1) - place(0)).norm() > kStill * world.shapes().size[body];
-  };
-  return std::any_of(closed_.begin(), closed_.end(), [&](const GaussContact& c) {
-    return (c.start.normal - c.end.normal).norm() > kStill || turns(c.a) || turns(c.b) || changes(c) ||
-           (!c.presses && closes(step, c)) || (may_rub(c) && (shifts(c, c.a) || shifts(c, c.b)));
-  });
 }
 
 const GaussIsland::Sampled& GaussIsland::sampled(BodyIndex body) const {
