@@ -3,11 +3,11 @@
 #include <utility>
 
 #include "app/lab/new_parts.h"
+#include "app/lab/own_theories.h"
 #include "app/lab/refusal_text.h"
 #include "app/lab/session.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/edit_rules.h"
-#include "physics/scene/fingerprint.h"
 #include "physics/scene/validate.h"
 #include "widgets/scene/new_body.h"
 
@@ -40,14 +40,6 @@ bool need_new_start(const Scene& now, const SceneEdits& edits) {
 double to_two_figures(double value) {
   const double scale = std::pow(10.0, 1.0 - std::floor(std::log10(value)));
   return std::round(value * scale) / scale;
-}
-
-// Of the scene with all its bodies, also those that come in later.
-std::uint64_t fingerprint_of_all(const Preset& preset) {
-  Scene all = preset.scene;
-  all.bodies = all_bodies(preset);
-  all.generators.clear();
-  return fingerprint(all, 0.0);
 }
 
 }  // namespace
@@ -89,7 +81,7 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
                                         : change_of_start(before, at_the_start(before.preset, edits));
     apply_change(changed, change);
     // What changes nothing is no step.
-    if (!from_here && fingerprint_of_all(changed.preset) == fingerprint_of_all(before.preset)) return;
+    if (!from_here && fingerprint_of_start(changed.preset) == fingerprint_of_start(before.preset)) return;
     validate(changed.preset);
     DocumentEdit::What what{.text = text, .begins = begins || from_here};
     if (drag > 0) what.drag = drag;

@@ -82,8 +82,8 @@ bool ImpactCluster::has_several(const World& world) const {
   if (touches_.empty()) return false;
   const Touch& first = touches_.front();
   const SurfaceLaw& law = world.material(first.contact, first.a, first.b);
-  // Nor are immovable bodies in one plane, whose law is the same: whatever lands on them slides alike at all of
-  // its points there, so that one impact where their pressure acts is the same as several. Discs have no
+  // Nor are bodies that move as one in one plane, whose law is the same: whatever meets them slides alike at
+  // all of its points there, so that one impact where their pressure acts is the same as several. Discs have no
   // stretch of their own to find it by (see pressed_contact).
   const auto has_stretch = [&](const Touch& t) {
     return !world.shapes().is_disc(t.a) && !world.shapes().is_disc(t.b);

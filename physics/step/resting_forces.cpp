@@ -122,10 +122,11 @@ ContactSolverReport RestingContacts::solve(const World& world, const Eigen::Matr
       list_breaking(still);
       if (breaking_.empty()) break;
       // What only comes back does not break away.
-      Eigen::Map<Eigen::VectorXd>(c.target.data(), c.size()) -= returns;
+      Eigen::Map<Eigen::VectorXd> targets(c.target.data(), c.size());
+      targets -= returns;
       once();
       list_breaking(still);
-      Eigen::Map<Eigen::VectorXd>(c.target.data(), c.size()) += returns;
+      targets += returns;
       if (breaking_.empty()) return once();
     }
     if (breaking_.empty()) break;

@@ -99,6 +99,13 @@ class AutosaveTest : public testing::Test {
   static QString last_of_legend(const LabWindow& window) {
     return window.findChild<PlotPanel*>()->plots().front()->legend().back().first;
   }
+  void expect_marks_until_first_start() {
+    const auto window = lab(kept());
+    click(*window, "Restore");
+    EXPECT_EQ(last_of_legend(*window), "theory of the first scene");
+    window->session().starts().go_to_first();
+    EXPECT_EQ(last_of_legend(*window), "theory");
+  }
   static QByteArray work(const std::string& title) {
     Preset preset = read_preset(find_preset("head-on"));
     preset.title = title;
@@ -268,21 +275,11 @@ TEST_F(KeptFileTest, TheWorkIsSavedToItsFileAgain) {
 }
 
 // The body was added: theories on the plots are for the scene without it.
-TEST_F(KeptFileTest, TheoriesComeBackWithTheirMark) {
-  const auto window = lab(kept());
-  click(*window, "Restore");
-  EXPECT_EQ(last_of_legend(*window), "theory of the first scene");
-  window->session().starts().go_to_first();
-  EXPECT_EQ(last_of_legend(*window), "theory");
-}
+TEST_F(KeptFileTest, TheoriesComeBackWithTheirMark) { expect_marks_until_first_start(); }
 
 TEST_F(AutosaveTest, TheoriesOfAnExperimentComeBackWithTheirMark) {
   ASSERT_NO_FATAL_FAILURE(leave_work_on("head-on"));
-  const auto window = lab(kept());
-  click(*window, "Restore");
-  EXPECT_EQ(last_of_legend(*window), "theory of the first scene");
-  window->session().starts().go_to_first();
-  EXPECT_EQ(last_of_legend(*window), "theory");
+  expect_marks_until_first_start();
 }
 
 TEST_F(KeptFileTest, AFileThatIsGoneIsMadeAgain) {
