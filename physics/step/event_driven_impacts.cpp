@@ -289,9 +289,13 @@ bool EventDrivenImpacts::resolve(const Step& step, BodyIndex a, BodyIndex b, dou
   std::optional<ShapePair> parts = world.shapes().first_parts(a, b);
   if (may_be_continued(world, a, b)) parts = parts_that_meet(step, a, b, time);
   if (!parts) {
-    // Once past the edge they touch along the normal of the common surface.
-    const double past = 4.0 * kFlush * (world.shapes().size[a] + world.shapes().size[b]);
-    const Vec2 u = trajectories.at(b, time).segment<2>(3) - trajectories.at(a, time).segment<2>(3);
+    // Once past the edge they touch along the normal of the common surface; where they overlap, they are past
+    // it once they have moved as far as they overlap.
+    const Motion of_a = trajectories.at(a, time);
+    const Motion of_b = trajectories.at(b, time);
+    const double overlap = -contact_between(world.shapes(), a, of_a.head<3>(), b, of_b.head<3>()).gap;
+    const double past = std::max(4.0 * kFlush * (world.shapes().size[a] + world.shapes().size[b]), overlap);
+    const Vec2 u = of_b.segment<2>(3) - of_a.segment<2>(3);
     const double least = 64.0 * kEpsilon * (std::abs(time) + step.h);
     world.work.spend(kInternalEdge);
     search(step, a, b, time + std::clamp(past / u.norm(), least, step.h));

@@ -63,6 +63,17 @@ TEST(StepWork, TheRestIsReported) {
   EXPECT_NE(run.status().find("exceeds the budget of a step"), std::string::npos);
 }
 
+// A box sinks into the floor inside a wide one, which covers the floor's surface there: no impact, wherever it
+// is looked for.
+TEST(StepWork, OverlapsUnderACoveredSurfaceCostLittle) {
+  Preset s = test::preset_with({test::fixed("floor", Wall{}, {0, 0}), test::wall("table", {0, 0.5}, 16, 1),
+                                test::box("box", {2.5, -0.05}, {0.1, -2}, 1.2, 0.3)});
+  s.method = {.impacts = ImpactsId::kLocated, .contacts = ContactsId::kLasting, .step = 0.1};
+  Simulation run(setup_of(s));
+  run.step();
+  EXPECT_LT(run.notices().work_spent_since, 0.0);
+}
+
 TEST(StepWork, BodiesAtOnePlaceAreLookedAtInPart) {
   RunSetup s = test::heap(50, 40);
   for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
