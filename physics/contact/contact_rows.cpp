@@ -77,6 +77,34 @@ double residual(std::span<const ContactRow> rows, std::span<const SolverBody> bo
   return largest;
 }
 
+double momentum_to_change(std::span<const ContactRow> rows, std::span<const SolverBody> bodies) {
+  double mass = 0.0;
+  double speed = 0.0;
+  const auto free = [&](BodyIndex i) {
+    SolverBody body = bodies[i];
+    body.vx = body.free_vx;
+    body.vy = body.free_vy;
+    body.spin = body.free_spin;
+    return body;
+  };
+  for (const ContactRow& row : rows) {
+    const RowVelocity u = row_velocity(row, free(row.a), free(row.b));
+    mass += row.mass_n;
+    for (const BodyIndex i : {row.a, row.b}) {
+      if (bodies[i].inverse_mass > 0.0) mass += 1.0 / bodies[i].inverse_mass;
+    }
+    speed = std::max({speed, std::isfinite(row.target) ? row.target - u.normal : 0.0,
+                      row.friction > 0.0 ? std::abs(u.tangential - row.slip_target) : 0.0});
+  }
+  return mass * speed;
+}
+
+double largest_impulse(std::span<const ContactRow> rows) {
+  double largest = 0.0;
+  for (const ContactRow& row : rows) largest = std::max(largest, row.normal);
+  return largest;
+}
+
 double rounding_level(std::span<const ContactRow> rows, std::span<SolverBody> bodies) {
   for (const ContactRow& row : rows) {
     for (const BodyIndex i : {row.a, row.b}) {

@@ -67,6 +67,12 @@ void sweep(std::span<ContactRow> rows, std::span<SolverBody> bodies, bool backwa
 // 0 exactly at a solution.
 [[nodiscard]] double residual(std::span<const ContactRow> rows, std::span<const SolverBody> bodies);
 
+// N s: the masses of all these bodies, times the largest speed that a contact asks for beyond the free
+// velocities. Impulses that are many times larger only press the bodies against each other.
+[[nodiscard]] double momentum_to_change(std::span<const ContactRow> rows, std::span<const SolverBody> bodies);
+// N s: the largest normal impulse.
+[[nodiscard]] double largest_impulse(std::span<const ContactRow> rows);
+
 // The residual that rounding alone may leave, in m/s: 8ε times the largest of |v| + Σ|λ|/m over the bodies,
 // rotation included. Changes `bodies`; apply_all() restores them.
 [[nodiscard]] double rounding_level(std::span<const ContactRow> rows, std::span<SolverBody> bodies);

@@ -18,6 +18,9 @@ constexpr int kSweepsToMeasure = 8;
 // The last sweeps of a large island's budget are without momentum, which spreads the remaining error over
 // many contacts but makes it rough.
 constexpr int kSweepsToSmooth = 2;
+// Times the momentum that contacts change: larger impulses than these, between bodies that are jammed so that
+// friction alone would hold them at any pressure, are no solution but what rounding has built up.
+constexpr double kMostStress = 1e3;
 
 // Directions in which an impulse has an effect: bodies that can only turn do not move along every normal.
 enum Moves : std::uint8_t { kAlongNormal = 1, kAlongTangent = 2, kTurns = 4 };
@@ -176,8 +179,19 @@ struct Solved {
   bool missed = false;
 };
 
+// N s
+double most_impulse(std::span<const ContactRow> rows, std::span<const SolverBody> bodies) {
+  const bool rubs =
+      std::any_of(rows.begin(), rows.end(), [](const ContactRow& row) { return row.friction > 0.0; });
+  return rubs ? kMostStress * momentum_to_change(rows, bodies) : std::numeric_limits<double>::infinity();
+}
+
 Solved solve_exactly(const ContactSolverOptions& options, std::span<ContactRow> rows, ContactWorkspace& w,
                      ContactSolverReport& report) {
+  const double most = most_impulse(rows, w.bodies);
+  if (largest_impulse(rows) > most) {
+    for (ContactRow& row : rows) row.normal = row.tangential = row.moment = 0.0;
+  }
   apply_all(rows, w.bodies);
   const bool exact = options.max_newton > 0;
   const Swept swept =
@@ -186,7 +200,7 @@ Solved solve_exactly(const ContactSolverOptions& options, std::span<ContactRow> 
   Solved solved{swept, swept.residual, !(swept.residual <= options.tolerance)};
   if (solved.missed && exact) {
     apply_all(rows, w.bodies);
-    const NewtonResult newton = w.newton.run(rows, w.bodies, {options.tolerance, options.max_newton});
+    const NewtonResult newton = w.newton.run(rows, w.bodies, {options.tolerance, options.max_newton, most});
     solved.left = newton.residual;
     solved.missed = !newton.settled;
     ++report.newton_islands;

@@ -25,6 +25,8 @@ constexpr int kPatience = 3;  // proximal steps that may leave a larger residual
 // Proximal steps at the largest stiffness, for errors of heavy bodies hidden below the rounding of light
 // ones.
 constexpr int kPolish = 4;
+// Proximal steps to impulses that are larger than any may be.
+constexpr int kMostOvershoots = 3;
 constexpr int kFirstSweeps = 32;  // after a failed step, then twice as many
 constexpr int kMostSweeps = 1024;
 
@@ -241,11 +243,13 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
   // Measures the residual of the impulses and keeps the best ones. Of those that differ by rounding alone,
   // the last are the best.
   bool rounded = false;
+  bool too_large = false;
   const auto measure = [&] {
     const double now = residual(rows, bodies);
     rounded = now <= rounding_level(rows, bodies);
     apply_all(rows, bodies);
-    if (now < result.residual || rounded) {
+    too_large = largest_impulse(rows) > options.most_impulse;
+    if ((now < result.residual || rounded) && !too_large) {
       result.residual = now;
       result.settled = rounded || now <= options.tolerance;
       for (std::size_t c = 0; c < rows.size(); ++c)
@@ -260,6 +264,7 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
   int sweeps = kFirstSweeps;
   int worse = 0;
   int polished = 0;
+  int overshoots = 0;
   double last = measure();
   while (left > 0 && !(result.residual <= options.tolerance)) {
     centre(rows, bodies);
@@ -267,6 +272,10 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
     if (found) {
       step();
       const double now = measure();
+      if (too_large) {
+        if (++overshoots >= kMostOvershoots) break;
+        worse = kPatience;
+      }
       if (rounded && stiffness_ >= kMostStiffness && ++polished >= kPolish) break;
       if (rounded || now > kSlowProgress * last) stiffness_ = std::min(kMostStiffness, kStiffer * stiffness_);
       if (now >= last && !rounded) ++worse;

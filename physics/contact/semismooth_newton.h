@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,8 +14,9 @@
 namespace carom {
 
 struct NewtonOptions {
-  double tolerance = 0.0;   // of the residual, m/s
-  int max_iterations = 60;  // linear systems
+  double tolerance = 0.0;                                         // of the residual, m/s
+  int max_iterations = 60;                                        // linear systems
+  double most_impulse = std::numeric_limits<double>::infinity();  // N s: of a contact
 };
 
 struct NewtonResult {

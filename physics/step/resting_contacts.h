@@ -98,6 +98,8 @@ class RestingContacts {
   ContactSolverReport solve_flight(World& world, double h, const ContactSolverOptions& options);
   ContactSolverReport solve(const World& world, const Eigen::Matrix3Xd& from,
                             const ContactSolverOptions& options);
+  ContactSolverReport solve_going_straight_on(World& world, double h, const ContactSolverOptions& options);
+  [[nodiscard]] bool is_unsolved(const ContactSolverReport& report) const;
   void list_breaking(double still);
   [[nodiscard]] bool is_few() const { return found_.contacts.size() <= kFewContactsOfScene; }
   void push_as_before(World& world);

@@ -32,10 +32,10 @@ constexpr double kGuessed = 1e-9;
 constexpr double kHeld = 1.0 / 30.0;
 // Rounds in which contacts break away from static friction in one step.
 constexpr int kMostBreaks = 3;
-// A round of these that leaves a residual so many times larger than the one before, and as large as so much of
-// the change of a speed by forces, is none.
-constexpr double kWorse = 16.0;
+// A residual of so much of the change of a speed by forces is no solution; nor is a round of these that leaves
+// one, if it is so many times larger than that of the round before.
 constexpr double kUnsolved = 0.01;
+constexpr double kWorse = 16.0;
 // Corrections of the contact forces where the integrator's flight is not linear in them.
 constexpr int kMostRounds = 12;
 // Of the full moment of rolling resistance: a difference from it.
@@ -109,8 +109,7 @@ ContactSolverReport RestingContacts::solve(const World& world, const Eigen::Matr
   ContactSolverReport report;
   for (int round = 0; round < kMostBreaks; ++round) {
     const ContactSolverReport now = once();
-    const double worst = std::max(kWorse * report.residual, kUnsolved * pressing_.change_by_forces());
-    if (round > 0 && now.missed_islands > 0 && now.residual > worst) {
+    if (round > 0 && is_unsolved(now) && now.residual > kWorse * report.residual) {
       c = solved_;
       after_ = solved_after_;
       return report;
@@ -237,6 +236,24 @@ void RestingContacts::fly(World& world, double h) {
   free_ = flight_.velocity - h * flight_.by;
 }
 
+// As find_forces(), without guessed forces, from which contacts turn: where those press jammed bodies hard, the
+// guessed flight is far off.
+ContactSolverReport RestingContacts::solve_going_straight_on(World& world, double h,
+                                                             const ContactSolverOptions& options) {
+  found_.contacts = at_start_;
+  std::fill(found_.guess.begin(), found_.guess.end(), Eigen::Vector3d::Zero());
+  push_as_before(world);
+  fly(world, h);
+  flight_.goes_on.assign(static_cast<std::size_t>(world.bodies()), 0);
+  turn_contacts(world, h, flight_, finder_.neighbours(), found_);
+  prepare(world);
+  return solve_flight(world, h, options);
+}
+
+bool RestingContacts::is_unsolved(const ContactSolverReport& report) const {
+  return report.missed_islands > 0 && report.residual > kUnsolved * pressing_.change_by_forces();
+}
+
 // Finds forces on the trajectories such that the velocities satisfy the contacts at the step's end. If the
 // flight under these forces is far from the guessed one, they are the next guess.
 void RestingContacts::find_forces(World& world, double h) {
@@ -269,6 +286,7 @@ void RestingContacts::find_forces(World& world, double h) {
     }
     if (off <= kGuessed * pressing_.change_by_forces()) break;
   }
+  if (!has_large_island() && is_unsolved(report)) report = solve_going_straight_on(world, h, options);
   report_residual(world, report, pressing_.change_by_forces(), options.tolerance);
 }
 

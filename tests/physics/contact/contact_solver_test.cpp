@@ -254,6 +254,32 @@ TEST(ContactSolver, UnsolvableProblemsAreReported) {
   EXPECT_TRUE(s.v.allFinite());
 }
 
+// A disc between two walls so steep that friction holds it at any pressure, told to leave both: it can't, and
+// no pressure would help.
+TEST(ContactSolver, WhatIsJammedIsNotPressedEverHarder) {
+  for (const double asked : {1e-12, 1e-9, 1e-6}) {
+    ContactScene s;
+    const int walls = s.fixed();
+    const int disc = s.disc({0.0, 0.0}, 1.0, 1.0);
+    for (const double side : {-1.0, 1.0}) {
+      const Vec2 normal = Vec2(side, 0.1).normalized();
+      s.contacts.target[s.contact(walls, disc, -normal, normal, 0.5)] = asked;
+    }
+    s.accelerate({0.0, -kG}, kH);
+    ContactSolverOptions options = kExact;
+    options.tolerance = 1e-15;
+    for (int again = 0; again < 5; ++again) {  // from the impulses before
+      const Eigen::Matrix3Xd free = s.v;
+      const ContactSolverReport report = s.solve(options);
+      EXPECT_EQ(report.missed_islands, 1);
+      EXPECT_LE(report.residual, 2.0 * asked);
+      EXPECT_LT(s.v.cwiseAbs().maxCoeff(), 2.0 * asked);
+      for (const double impulse : s.contacts.normal_impulse) EXPECT_LT(impulse, 1e4 * kG * kH);
+      s.v = free;
+    }
+  }
+}
+
 TEST(ProjectOverlaps, IsTheLeastDisplacement) {
   // Two discs of masses 1 and 3 penetrate by 0.1 and touch nothing else; they share it by inverse mass.
   ContactScene s;
