@@ -226,9 +226,9 @@ std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, BodyIn
   for (ImpactCluster::Touch& touch : cluster_.touches())
     touch.rests = !all && comes_to_rest(step, touch.a, touch.b, touch.contact);
   if (!cluster_.resolve(world, time, all ? ClusterRestitution::kSmallest : ClusterRestitution::kOwn)) {
+    rebuild_and_search(step, islands);
     if (const ImpactCluster::Touch* alone = cluster_.acts_alone())
       return resolve_alone(step, alone->a, alone->b, alone->contact, time, false);
-    rebuild_and_search(step, islands);
     return std::nullopt;
   }
   bool divides = false;
