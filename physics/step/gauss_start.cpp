@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "physics/dynamics/integrators/integrators.h"
@@ -33,6 +34,8 @@ constexpr double kNearLimit = 0.75;
 constexpr double kAtLimit = 1.0 - 1e-4;
 // Relative: a difference from full friction.
 constexpr double kFull = 1e-9;
+// Of a face's load, times how far it moves relative to the size: what a contact loses within a step at most.
+constexpr double kUnloads = 8.0;
 // rad: contacts that turn by less have constant normals and arms.
 constexpr double kStill = 1e-11;
 
@@ -180,19 +183,36 @@ bool GaussIsland::is_needed(const GaussStep& step) const {
     return !step.world.shapes().is_disc(body) &&
            std::abs(sampled(body).end[2] - sampled(body).start[2]) > kStill;
   };
-  // A place on a body that moves along it shifts the load between its contacts.
-  const auto shifts = [&](const GaussContact& c, BodyIndex body) {
+  // Of the size, in about half of the step: how far a contact moves along a body.
+  const auto moves_along = [&](const GaussContact& c, BodyIndex body) {
     const World& world = step.world;
-    if (world.infinite_mass(body) || world.shapes().is_disc(body)) return false;
+    if (world.infinite_mass(body) || world.shapes().is_disc(body)) return 0.0;
     const auto place = [&](std::size_t k) {
       const Motion& at = sampled(body).at[k];
       return turned_by(-at[2], Vec2(c.at[k].point - at.head<2>()));
     };
-    return (place(1) - place(0)).norm() > kStill * world.shapes().size[body];
+    return (place(1) - place(0)).norm() / world.shapes().size[body];
+  };
+  // A place on a body that moves along it shifts the load between its contacts, which matters where they rub,
+  // or where one of them may be without load before the step's end.
+  const auto shifts_load = [&](const GaussContact& c) {
+    if (!c.presses) return false;
+    const double moved = std::max(moves_along(c, c.a), moves_along(c, c.b));
+    if (!(moved > kStill)) return false;
+    if (rubs(step, c)) return true;
+    double load = 0.0;  // N s
+    double least = std::numeric_limits<double>::infinity();
+    for (const GaussContact& other : closed_) {
+      if (other.face != c.face || !other.presses) continue;
+      const double of_other = step.found.contacts.normal_impulse[other.contact];
+      load += of_other;
+      least = std::min(least, of_other);
+    }
+    return least < load && least < kUnloads * moved * load;
   };
   return std::any_of(closed_.begin(), closed_.end(), [&](const GaussContact& c) {
     return (c.start.normal - c.end.normal).norm() > kStill || turns(c.a) || turns(c.b) || changes(c) ||
-           (!c.presses && closes(step, c)) || (may_rub(c) && (shifts(c, c.a) || shifts(c, c.b)));
+           (!c.presses && closes(step, c)) || shifts_load(c);
   });
 }
 
