@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "app/lab/new_parts.h"
+#include "physics/preset/start_fingerprint.h"
 #include "physics/scene/edit_rules.h"
 #include "physics/scene/facts.h"
-#include "physics/scene/fingerprint.h"
 #include "widgets/edit/inspected.h"
 #include "widgets/plot/plot_content.h"
 
@@ -344,8 +344,7 @@ Start start_of(const Document& document) {
 }
 
 bool begin_alike(const Start& a, const Start& b) {
-  return fingerprint(a.scene, start_time(a.saved)) == fingerprint(b.scene, start_time(b.saved)) &&
-         std::equal(a.late.begin(), a.late.end(), b.late.begin(), b.late.end(), is_same);
+  return fingerprint_of_start(a.scene, a.saved, a.late) == fingerprint_of_start(b.scene, b.saved, b.late);
 }
 
 DocumentChange change_to_start(const Document& document, const Start& start) {

@@ -28,7 +28,7 @@ struct StartOrigin {
   std::optional<double> from{};  // s, in the run before
   QString by{};                  // the edit
   bool saved = false;            // else opened
-  std::uint64_t scene = 0;       // fingerprint, as opened or saved
+  std::uint64_t scene = 0;       // fingerprint_of_start(), as opened or saved
 };
 
 // What a session edits: a preset, and what belongs to its runs but stands in no file.

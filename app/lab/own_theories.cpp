@@ -2,17 +2,9 @@
 
 #include <algorithm>
 
-#include "physics/run/run_setup.h"
-#include "physics/scene/fingerprint.h"
+#include "physics/preset/start_fingerprint.h"
 
 namespace carom {
-
-std::uint64_t fingerprint_of_start(const Preset& preset) {
-  Scene all = preset.scene;
-  all.bodies = all_bodies(preset);
-  all.generators.clear();
-  return fingerprint(all, start_time(preset.saved));
-}
 
 std::vector<OwnTheory> with_theories_of(std::vector<OwnTheory> known, const Preset& preset) {
   std::vector<PlottedTheory> unknown;

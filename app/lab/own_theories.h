@@ -11,13 +11,10 @@ namespace carom {
 // A theory on a plot of one's own experiment, and the scene that it is for.
 struct OwnTheory {
   PlottedTheory theory;
-  std::uint64_t scene;  // its fingerprint: fingerprint_of_start()
+  std::uint64_t scene;  // its number: fingerprint_of_start()
 
   bool operator==(const OwnTheory&) const = default;
 };
-
-// Of all bodies that the runs will have, also those that come in later.
-[[nodiscard]] std::uint64_t fingerprint_of_start(const Preset& preset);
 
 // The known theories and those of the preset's plots that are not known yet, which are for its scene.
 [[nodiscard]] std::vector<OwnTheory> with_theories_of(std::vector<OwnTheory> known, const Preset& preset);

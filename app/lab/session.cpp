@@ -5,7 +5,7 @@
 
 #include "app/lab/new_parts.h"
 #include "physics/preset/preset_file.h"
-#include "physics/scene/fingerprint.h"
+#include "physics/preset/start_fingerprint.h"
 
 namespace carom {
 namespace {
@@ -31,7 +31,7 @@ void Session::open(const Preset& preset, const std::vector<Plot>& plots, const s
                     !name.isEmpty()};
   document.preset.plots = plots;
   give_ids(document.preset);
-  document.start = {.scene = fingerprint(document.preset.scene, start_time(document.preset.saved))};
+  document.start = {.scene = fingerprint_of_start(document.preset)};
   starts_.begin(start_of(document));
   name_ = name;
   file_ = file;
@@ -44,7 +44,7 @@ void Session::save(const QString& file) {
   save_preset(document(), file.toStdString());
   file_ = file;
   Start saved = start_of(history_.document());
-  saved.origin = {.saved = true, .scene = fingerprint(saved.scene, start_time(saved.saved))};
+  saved.origin = {.saved = true, .scene = fingerprint_of_start(document())};
   if (!history_.document().start.from) history_.set_origin(saved.origin);
   starts_.set_first(std::move(saved));
   edits().setClean();

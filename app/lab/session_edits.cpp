@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "app/lab/new_parts.h"
-#include "app/lab/own_theories.h"
 #include "app/lab/refusal_text.h"
 #include "app/lab/session.h"
 #include "physics/preset/preset_file.h"
+#include "physics/preset/start_fingerprint.h"
 #include "physics/scene/edit_rules.h"
 #include "physics/scene/validate.h"
 #include "widgets/scene/new_body.h"

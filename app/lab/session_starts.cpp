@@ -5,7 +5,7 @@
 
 #include "app/lab/refusal_text.h"
 #include "physics/preset/preset_file.h"
-#include "physics/scene/fingerprint.h"
+#include "physics/preset/start_fingerprint.h"
 
 namespace carom {
 namespace {
@@ -14,7 +14,7 @@ QString name_of(const Start& start) {
   const StartOrigin& origin = start.origin;
   if (origin.from) return SessionStarts::tr("from %1 s: %2").arg(*origin.from, 0, 'f', 3).arg(origin.by);
   const QString name = origin.saved ? SessionStarts::tr("as saved") : SessionStarts::tr("as opened");
-  return fingerprint(start.scene, start_time(start.saved)) == origin.scene
+  return fingerprint_of_start(start.scene, start.saved, start.late) == origin.scene
              ? name
              : SessionStarts::tr("%1, edited").arg(name);
 }

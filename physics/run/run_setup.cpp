@@ -27,6 +27,7 @@ bool was_due_before(const RunEdit& edit, double time, double step) {
   return edit.time + kSameMoment * step < time;
 }
 
+// Bodies that come in later have no part in the state, so that it stays that of the scene without them.
 bool state_belongs(const Scene& scene, const std::optional<SavedRun>& saved) {
   return saved && saved->fingerprint != 0 && saved->fingerprint == fingerprint(scene, saved->time);
 }

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "physics/scene/fingerprint.h"
+#include "physics/preset/start_fingerprint.h"
 
 namespace carom {
 
@@ -198,13 +198,13 @@ RunGroup::MethodAndEdits RunGroup::method_and_edits(const Run& run) {
 }
 
 RunGroup::RunsBegun RunGroup::runs_begun() const {
-  RunsBegun all{start_, fingerprint(preset_.scene, 0.0), {}};
+  RunsBegun all{start_, {}};
   for (const Run& run : runs_) all.runs.push_back(method_and_edits(run));
   return all;
 }
 
 RunGroup::OtherSide RunGroup::other_side() {
-  OtherSide side{start_, fingerprint(preset_.scene, 0.0), {}};
+  OtherSide side{start_, fingerprint_of_start(preset_), {}};
   for (const Run& run : runs_) {
     const RunSetup& setup = run.live.setup();
     side.runs.push_back({setup.method, run.id, edit_lists_[run.id].list_of(setup.edits)});
@@ -218,9 +218,9 @@ void RunGroup::undo_or_redo(EditId edit, const Preset& start, ReferenceId refere
   if (found == other_sides_.end()) return;
   const OtherSide wanted = std::exchange(found->second, other_side());
   const bool other_reference = std::exchange(reference_, reference) != reference;
-  const std::uint64_t scene = fingerprint(preset_.scene, 0.0);
+  const std::uint64_t scene = fingerprint_of_start(preset_);
   const bool begun_since = wanted.start != start_ || wanted.scene != scene;
-  const bool other_start = begun_since && scene != fingerprint(start.scene, 0.0);
+  const bool other_start = begun_since && scene != fingerprint_of_start(start);
   if (begun_since) preset_ = start;
   if (interrupted_) return;
   const double time = edited_time();

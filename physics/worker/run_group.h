@@ -143,13 +143,12 @@ class RunGroup {
   // All runs, and which start they have.
   struct RunsBegun {
     std::uint64_t start = 0;
-    std::uint64_t scene = 0;  // fingerprint of the one that they began from
     std::vector<MethodAndEdits> runs;
   };
   // The same, with lists of edit_lists_.
   struct OtherSide {
     std::uint64_t start = 0;
-    std::uint64_t scene = 0;
+    std::uint64_t scene = 0;  // that they began from: fingerprint_of_start()
     struct Begun {
       Method method;
       std::uint64_t run;

@@ -16,7 +16,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
-#include "physics/preset/preset_file.h"
+#include "physics/preset/start_fingerprint.h"
 #include "physics/study/study_table.h"
 #include "widgets/base/ask.h"
 #include "widgets/base/elided_label.h"
@@ -42,15 +42,12 @@ constexpr int kButton = 23;           // px, high
 constexpr int kLow = 230;             // px: a lower panel has its buttons at the side
 constexpr int kNarrow = 480;          // px: a low panel that is narrower has no room for the table
 
-// What decides the motion, apart from what a study varies.
-std::string motion_of(const Preset& preset) {
-  Preset motion;
-  motion.duration = preset.duration;
-  motion.scene = preset.scene;
-  motion.method.contacts = preset.method.contacts;
-  motion.edits = preset.edits;
-  motion.saved = preset.saved;
-  return write_preset(motion);
+// Whether one study holds for both: beside the start, what decides the motion and a study doesn't vary, and
+// whether it goes on from the inner state of a saved run.
+bool move_alike(const Preset& a, const Preset& b) {
+  return fingerprint_of_start(a) == fingerprint_of_start(b) && a.duration == b.duration &&
+         a.method.contacts == b.method.contacts &&
+         state_belongs(a.scene, a.saved) == state_belongs(b.scene, b.saved);
 }
 
 QString words_of(const StudyFacts& facts) {
@@ -204,7 +201,7 @@ void StudyPanel::set_scene(const Preset& preset, const QString& name) {
 
 void StudyPanel::edit_scene(const Preset& preset) {
   preset_ = preset;
-  current_ = studied_ && motion_of(*studied_) == motion_of(preset_);
+  current_ = studied_ && move_alike(*studied_, preset_);
   show_words();
 }
 

@@ -3,6 +3,7 @@
 #include "app/library/preset_library.h"
 #include "physics/preset/preset_file.h"
 #include "tests/app/lab/hands_fixture.h"
+#include "tests/support/scenes.h"
 #include "widgets/plot/run_plot.h"
 
 // Theories on the plots of one's own experiment are its author's: an edit of the scene marks them, and keeps
@@ -120,6 +121,22 @@ TEST_F(LabTheoriesTest, ADiscDroppedIntoARunMarksThem) {
     EXPECT_EQ(said(), plain_);
     window_.session().edits().setClean();
   }
+}
+
+TEST_F(LabTheoriesTest, AnotherTimeOfADiscThatComesLaterMarksThem) {
+  Preset with = read_preset(mine_.toStdString());
+  with.edits = {{0.5, 0, SceneEdits{Add<Body>{test::disc("late", {0.3, 1.0}, {0.0, 0.0})}}}};
+  save_preset(with, mine_.toStdString());
+  ASSERT_TRUE(window_.open(mine_.toStdString()));
+  ASSERT_TRUE(shows_start());
+  EXPECT_EQ(said(), plain_);
+  EditHistory& history = window_.session().history();
+  std::vector<RunEdit> later = window_.preset().edits;
+  later.at(0).time += 0.4;
+  history.push({.text = "Later"}, change_of_late_bodies(history.document(), later));
+  EXPECT_EQ(said(), marked_);
+  undo();
+  EXPECT_EQ(said(), plain_);
 }
 
 // It is for the scene as it is then.

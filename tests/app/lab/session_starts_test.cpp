@@ -197,6 +197,24 @@ TEST_F(SessionStartsTest, AStartIsListedAsItWasLeft) {
   EXPECT_EQ(now("disc 1").mass, 3.0);
 }
 
+// A disc of a file that comes in on the way belongs to the start, with its time and its mass.
+TEST_F(SessionStartsTest, AnEditOfADiscThatComesLaterMakesAnotherStart) {
+  Preset with = gas();
+  with.edits = {{0.3, 0, SceneEdits{Add<Body>{test::disc("late", {0.0, 0.8}, {0.0, 0.0})}}}};
+  open(with);
+  const std::string opened = document();
+  run_to(0.6);
+  give_mass("late", 5.0);
+  ASSERT_EQ(refused_, "");
+  EXPECT_EQ(names(), (std::vector<QString>{"as opened", "as opened, edited!"}));
+  session_.starts().go_to_first();
+  settle();
+  EXPECT_EQ(document(), opened);
+  EXPECT_EQ(names(), (std::vector<QString>{"as opened!", "as opened, edited"}));
+  go_to(1);
+  EXPECT_EQ(*added_body(session_.document().edits.at(0)).mass, 5.0);
+}
+
 TEST_F(SessionStartsTest, PlotsOfBodiesThatAStartDoesNotHaveGo) {
   Body added = test::disc("new", {0.0, 0.8}, {0.0, 0.0});
   edit(Add<Body>{added}, "Add");

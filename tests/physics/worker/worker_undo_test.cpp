@@ -136,6 +136,35 @@ TEST_F(WorkerUndo, ABodyIsTakenBackFromAllRunsAndPutBack) {
   EXPECT_EQ(moment(1), with[1]);
 }
 
+// A body that comes in on the way has another mass in the start that followed the edit.
+TEST_F(WorkerUndo, AnEditOfABodyThatComesInIsTakenBackAfterANewStart) {
+  const auto with = [](double mass) {
+    Preset preset = gas();
+    Body late = kBody;
+    late.id.number = 100;
+    late.mass = mass;
+    preset.edits = {{0.3, 0, SceneEdits{Add<Body>{late}}}};
+    return preset;
+  };
+  const auto has_mass = [this](double mass) { return added_body(frames_[0]->setup->edits.at(0)).mass == mass; };
+  worker_.load(with(1.0), {kCurve});
+  run_to(1.0);
+  const Moment light = moment(0);
+  worker_.restart(with(1.0));
+  run_to(0.5);
+  const Worker::EditId edit = worker_.edit_scene({Replace<Body>{added_body(with(5.0).edits[0])}});
+  worker_.restart(with(5.0));
+  run_to(1.0);
+  const Moment heavy = moment(0);
+  ASSERT_TRUE(has_mass(5.0));
+  worker_.undo_or_redo(edit, with(1.0), ReferenceId::kNone);
+  ASSERT_TRUE(wait([&] { return has_mass(1.0); }));
+  EXPECT_EQ(moment(0), light);
+  worker_.undo_or_redo(edit, with(5.0), ReferenceId::kNone);
+  ASSERT_TRUE(wait([&] { return has_mass(5.0); }));
+  EXPECT_EQ(moment(0), heavy);
+}
+
 // More edits than key frames at edits are kept: the first is taken back from a key frame before it. Key frames,
 // curves and impacts of what was taken back are gone.
 TEST_F(WorkerUndo, TheFirstOfManyIsTakenBackFromAKeyFrame) {

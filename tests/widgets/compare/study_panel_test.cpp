@@ -140,6 +140,18 @@ TEST_F(StudyPanelTest, AChosenMethodIsNoOtherScene) {
             std::min(16.0 * drag_scene().method.step, 0.5 / 8.0));
 }
 
+TEST_F(StudyPanelTest, AnotherTimeOfADiscThatComesLaterIsAnotherScene) {
+  Preset with = drag_scene();
+  with.edits = {{0.2, 0, SceneEdits{Add<Body>{disc("C", {1.0, 1.0}, {0.0, 0.0}, 1.0)}}}};
+  panel_.set_scene(with, "drag");
+  run_to_its_end();
+  panel_.edit_scene(with);
+  EXPECT_TRUE(panel_.of_the_scene_shown());
+  with.edits[0].time = 0.3;
+  panel_.edit_scene(with);
+  EXPECT_FALSE(panel_.of_the_scene_shown());
+}
+
 TEST_F(StudyPanelTest, AStudyOfAnotherSceneIsMarkedAndNotClickable) {
   run_to_its_end();
   Preset edited = drag_scene();
