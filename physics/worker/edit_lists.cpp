@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "physics/preset/start_fingerprint.h"
+
 namespace carom {
 
 EditLists::List EditLists::list_of(const std::vector<RunEdit>& edits) {
   List list = kEmpty;
   for (const RunEdit& edit : edits) {
-    const auto [next, is_new] =
-        after_.try_emplace({list, edit.id, edit.time}, static_cast<List>(elements_.size()));
+    const auto [next, is_new] = after_.try_emplace({list, edit.id, edit.time, fingerprint_of_late_bodies(edit)},
+                                                   static_cast<List>(elements_.size()));
     if (is_new) elements_.push_back({edit, list});
     list = next->second;
   }

@@ -16,7 +16,8 @@ class EditLists {
   enum class List : int {};  // its last edit
   static constexpr List kEmpty{-1};
 
-  // Edits with one id and one time that follow the same list are the same (see is_same).
+  // Edits with one id and one time that follow the same list are the same (see is_same) if they add the same
+  // bodies: those of a file all have one id, and an edit of a body that comes in leaves its time.
   [[nodiscard]] List list_of(const std::vector<RunEdit>& edits);
   [[nodiscard]] std::vector<RunEdit> edits_of(List list) const;
 
@@ -26,7 +27,8 @@ class EditLists {
     List before;
   };
   std::vector<Element> elements_;
-  std::map<std::tuple<List, std::uint64_t, double>, List> after_;  // a list and the edit that follows
+  // By a list and the edit that follows: id, time and added bodies.
+  std::map<std::tuple<List, std::uint64_t, double, std::uint64_t>, List> after_;
 };
 
 }  // namespace carom

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "tests/support/scenes.h"
+
 namespace carom {
 namespace {
 
@@ -34,6 +36,23 @@ TEST(EditLists, GiveBackWhatTheyTook) {
     EXPECT_EQ(lists.list_of(all[i]), names[i]) << i;
   }
   EXPECT_EQ(names.front(), EditLists::kEmpty);
+}
+
+// A disc of a file, whose time stays while its mass is edited.
+TEST(EditLists, TellBodiesOfOneTimeApart) {
+  const auto late = [](double mass) {
+    return std::vector<RunEdit>{
+        {0.3, 0, SceneEdits{Add<Body>{test::disc("late", {0.0, 0.0}, {0.0, 0.0}, 0.1, mass)}}}};
+  };
+  EditLists lists;
+  const EditLists::List light = lists.list_of(late(1.0));
+  const EditLists::List heavy = lists.list_of(late(5.0));
+  const auto mass_in = [&](EditLists::List list) {
+    return *std::get<Add<Body>>(std::get<SceneEdits>(lists.edits_of(list).at(0).what).at(0)).part.mass;
+  };
+  EXPECT_EQ(mass_in(light), 1.0);
+  EXPECT_EQ(mass_in(heavy), 5.0);
+  EXPECT_EQ(lists.list_of(late(1.0)), light);
 }
 
 }  // namespace
