@@ -40,7 +40,6 @@ class Session : public QObject {
   [[nodiscard]] bool modified() const;
   // What was done, with the signals of what it changes.
   [[nodiscard]] EditHistory& history() { return history_; }
-  [[nodiscard]] const EditHistory& history() const { return history_; }
   [[nodiscard]] QUndoStack& edits() { return history_.stack(); }
 
   // --- edits

@@ -71,7 +71,7 @@ class SessionTest : public SessionFixture {
     const Preset preset = read_preset(find_preset("drag-projectile"));
     session_.open(preset, preset.plots, {}, "drag-projectile", {});
   }
-  [[nodiscard]] Snapshot snapshot() const {
+  [[nodiscard]] Snapshot snapshot() {
     Snapshot now{write_preset(session_.document()),
                  session_.history().document().reference,
                  names_of(session_.history().bodies()),
