@@ -26,8 +26,12 @@ class KeyTable : public OnlyLooks {
  public:
   template <class T>
   [[nodiscard]] static std::vector<KeyRow> of(T usual = {}) {
+    return of_all([&usual](KeyTable& table) { fields(table, usual); });
+  }
+  // Of all that `visit` shows to a table.
+  [[nodiscard]] static std::vector<KeyRow> of_all(const auto& visit) {
     KeyTable table;
-    fields(table, usual);
+    visit(table);
     return std::move(table.rows_);
   }
 
@@ -75,8 +79,15 @@ class KeyTable : public OnlyLooks {
     add_all(of<PlacedShape>(), std::string(key.name) + "/");
   }
   void points(const Key& key, const std::vector<Vec2>&, const Count& count, const Range& range);
+  void numbers(const Key& key, const std::vector<double>&, const Count& count, const Range& range);
   void ends_of_range(const Key& key, double, double, const Range& range);
   void two_names(const Key& key, const std::string&, const std::string&);
+  // What no function above describes.
+  void other(const Key& key, std::string values) { add(key, std::move(values), ""); }
+  void required_other(const Key& key, std::string values) {
+    other(key, std::move(values));
+    rows_.back().required = true;
+  }
   [[nodiscard]] static bool shows(bool) { return true; }
   void cases(const Key& key, const Words& words, std::size_t, const auto& each) {
     add(key, joined(words), "");
@@ -112,7 +123,7 @@ struct KeySection {
   std::string_view title;
   std::vector<KeyRow> rows;
 };
-// Of all types of a scene, and of a method.
+// Of an experiment as a whole, then of each type of object in it.
 [[nodiscard]] std::vector<KeySection> key_sections();
 
 }  // namespace carom

@@ -39,11 +39,7 @@ void of_saved_run(const Read& read) {
 void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
   preset.method = unstated_method();
   read_format(r);
-  r.required({"title", "a few words"}, preset.title, kWords);
-  r.field({"about", "what the experiment is, a paragraph"}, preset.about, kText);
-  r.field({"observe", "what to look at, a few words"}, preset.observe, kText);
-  r.field({"duration", "how long a run lasts"}, preset.duration, kDuration);
-  r.field({"gravity", "[x, y]"}, preset.scene.forces.gravity, kGravityRange);
+  head_fields(r, preset);
   r.member({"method", "how the run is computed"},
            [&](const ValueReader& v) { v.object([&](FieldReader& m) { fields(m, preset.method); }); });
   const auto each = [](auto& list) {
@@ -60,9 +56,7 @@ void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
     read_force(element, at, forces++, preset.scene.forces, places);
   });
   r.read_objects({"material_pairs", "how two materials meet"}, kMostMaterialPairs, each(preset.scene.pairs));
-  r.choice({"impact_law", "of impacts off the line of centres"}, kImpactLawNames, preset.scene.impact_law);
-  r.choice({"several_impacts", "contacts that close at one time"}, kSeveralImpactsNames,
-           preset.scene.several_impacts);
+  law_fields(r, preset.scene);
   r.read_objects({"generators", "many bodies from a few numbers"}, kMostBodies, each(preset.scene.generators));
   r.read_objects({"links", "rods, strings, pins and welds"}, kMostJoints, each(preset.scene.joints));
   r.read_objects({"added", "bodies that come in during a run"}, kMostBodies,
@@ -75,8 +69,7 @@ void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
   r.member({"plots", "to open with"}, [&](const ValueReader& v) {
     v.list({0, kMostPlots}, [&](const ValueReader& plot) { preset.plots.push_back(read_plot(plot)); });
   });
-  r.object({"view", "what the window shows at first"}, preset.view);
-  r.choice({"tool", "that the mouse has in hand at first"}, kSceneToolNames, preset.tool);
+  window_fields(r, preset);
   r.read_objects(
       {"expect", "what the experiment must show"}, kMostExpectations,
       [&](FieldReader& e, const std::string&) { read_expectation(e, preset.expect.emplace_back()); });
@@ -197,10 +190,8 @@ Json preset_json(const Preset& preset, bool all) {
   };
   put("materials", preset.scene.materials, false);
   put("material_pairs", preset.scene.pairs, false);
-  if (preset.scene.impact_law != ImpactLawId::kEnergetic)
-    j["impact_law"] = name_of(kImpactLawNames, preset.scene.impact_law);
-  if (preset.scene.several_impacts != SeveralImpactsId::kPairwise)
-    j["several_impacts"] = name_of(kSeveralImpactsNames, preset.scene.several_impacts);
+  j.update(written_by(SetLaws{preset.scene.impact_law, preset.scene.several_impacts}, false,
+                      [](FieldReader& r, SetLaws& laws) { law_fields(r, laws); }));
   put("bodies", preset.scene.bodies, all);
   if (Json forces = forces_json(preset.scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
   put("generators", preset.scene.generators, true);

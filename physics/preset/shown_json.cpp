@@ -16,8 +16,8 @@ constexpr std::size_t kMostObserved = 2;
 // a reference are there in plots only.
 void read_observable(FieldReader& r, bool in_plot, std::string& name, std::vector<std::string>& bodies) {
   if (r.writes()) {
-    r.put("observable", name);
-    if (!bodies.empty()) r.put("bodies", bodies);
+    r.put(kObservableKey.name, name);
+    if (!bodies.empty()) r.put(kObservedBodiesKey.name, bodies);
     return;
   }
   std::vector<std::string> names;
@@ -27,8 +27,8 @@ void read_observable(FieldReader& r, bool in_plot, std::string& name, std::vecto
     names.emplace_back(o.name);
     by_bodies[o.bodies].emplace_back(o.name);
   }
-  r.needed({"observable", "the name of one"}, [&](const ValueReader& v) { name = names[v.word(names)]; });
-  r.member({"bodies", "as many as the observable asks for"}, [&](const ValueReader& v) {
+  r.needed(kObservableKey, [&](const ValueReader& v) { name = names[v.word(names)]; });
+  r.member(kObservedBodiesKey, [&](const ValueReader& v) {
     v.list({0, kMostObserved}, [&](const ValueReader& body) { bodies.push_back(body.text(kNameLength)); });
   });
   for (const auto& [count, group] : by_bodies) {
@@ -87,17 +87,6 @@ Json quantity_json(const QuantityName& q) {
   return j;
 }
 
-void read_sweep(FieldReader& r, Sweep& s) {
-  r.required({"place", "the JSON pointer of a number of this file"}, s.place, kWords);
-  r.needed({"values", "an array of numbers"}, [&](const ValueReader& v) {
-    v.list({1, kMostSweepValues}, [&](const ValueReader& x) { s.values.push_back(x.number(kSetNumber)); });
-  });
-  r.put("values", s.values);
-  r.cases({"reduction", "what the numbers of the runs are reduced to"}, words_of(kSweepNames),
-          index_of(kSweepNames, s.reduction),
-          [&](std::size_t i, FieldReader&) { s.reduction = kSweepNames[i].id; });
-}
-
 }  // namespace
 
 Plot read_plot(const ValueReader& value) {
@@ -154,16 +143,13 @@ void read_expectation(FieldReader& r, Expectation& e) {
   reduction_fields(r, e);
   Json with;
   for (const Setting& s : e.settings) with[s.place] = s.value;
-  if (!with.is_null()) r.put("with", with);
-  r.member({"with", "numbers of this file by their JSON pointers"}, [&](const ValueReader& v) {
+  if (!with.is_null()) r.put(kSettingsKey.name, with);
+  r.member(kSettingsKey, [&](const ValueReader& v) {
     v.numbers(kMostSettings, kSetNumber, [&](const std::string& place, double x) {
       e.settings.push_back({place, x});
     });
   });
-  if (r.writes() && e.over) r.put("over", written_by(*e.over, false, read_sweep));
-  r.member({"over", "one run for each of several values"}, [&](const ValueReader& v) {
-    v.object([&](FieldReader& sweep) { read_sweep(sweep, e.over.emplace()); });
-  });
+  r.object(kSweepKey, e.over);
   value_fields(r, e);
 }
 

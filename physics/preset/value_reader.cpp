@@ -216,6 +216,13 @@ void FieldReader::points(const Key& key, std::vector<Vec2>& list, const Count& c
   });
 }
 
+void FieldReader::numbers(const Key& key, std::vector<double>& list, const Count& count, const Range& range) {
+  put(key.name, list);
+  needed(key, [&](const ValueReader& v) {
+    v.list(count, [&](const ValueReader& x) { list.push_back(x.number(range)); });
+  });
+}
+
 void FieldReader::compound(const Key& key, Shape& shape, const Count& count) {
   if (const auto* compound = std::get_if<Compound>(&shape); writes() && compound != nullptr) {
     Json list = Json::array();

@@ -148,6 +148,7 @@ class FieldReader {
   }
   void compound(const Key& key, Shape& shape, const Count& count);
   void points(const Key& key, std::vector<Vec2>& list, const Count& count, const Range& range);
+  void numbers(const Key& key, std::vector<double>& list, const Count& count, const Range& range);
   void ends_of_range(const Key& key, double& low, double& high, const Range& range);
   void two_names(const Key& key, std::string& a, std::string& b);
   // Lists of objects.

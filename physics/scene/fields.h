@@ -24,6 +24,7 @@
 //   alternative(key, member)           an object, or else what another key holds (see together)
 //   compound(key, shape, count)        the shapes of a Compound, where the shape is one
 //   points(key, list, count, range)    a required list of points
+//   numbers(key, list, count, range)   likewise of numbers
 //   ends_of_range(key, low, high, range)  required, two numbers in one pair
 //   two_names(key, a, b)               required
 //   cases(key, words, chosen, each)    a word that says which fields there are: each(index, visitor)

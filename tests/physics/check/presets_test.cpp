@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <set>
 #include <sstream>
 
 #include "physics/check/check.h"
@@ -12,6 +14,7 @@
 #include "physics/preset/names.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "physics/preset/preset_json.h"
 #include "tests/support/preset_files.h"
 #include "tests/support/scenes.h"
 #include "tests/support/source_folder.h"
@@ -355,11 +358,62 @@ TEST(PresetStops, AreWrittenAsTheyAreRead) {
 TEST(PresetHelp, HasTheTablesOfTheFields) {
   const std::string page = content(test::source("app/help/presets.md"));
   for (const auto& [title, rows] : key_sections()) {
-    if (title == "material_pairs") continue;  // told in words
     const std::string table = markdown_of(rows);
     EXPECT_NE(page.find("\n" + table + "\n"), std::string::npos) << "another table of " << title << ":\n"
                                                                  << table;
   }
+}
+
+// The keys of one object that the schema has, of every form of it.
+std::set<std::string> keys_of(const Json& object) {
+  std::set<std::string> keys;
+  if (object.contains("properties")) {
+    for (const auto& item : object.at("properties").items()) keys.insert(item.key());
+  }
+  if (object.contains("anyOf")) {
+    for (const Json& form : object.at("anyOf")) keys.merge(keys_of(form));
+  }
+  return keys;
+}
+
+// Those that a table has, without the words of cases and the keys of objects within.
+std::set<std::string> keys_of(const std::vector<KeyRow>& rows) {
+  std::set<std::string> keys;
+  for (const KeyRow& row : rows) {
+    if (row.key.find('/') != std::string::npos) continue;
+    const std::size_t word = row.key.find("`: ");
+    keys.insert(word == std::string::npos ? row.key : row.key.substr(word + 3));
+  }
+  return keys;
+}
+
+TEST(PresetHelp, TablesHaveEveryKeyOfAScene) {
+  const Json schema = preset_schema();
+  std::set<std::string> expected = keys_of(schema);
+  // What the file is, and what is none of a scene.
+  for (const char* other : {"format", "version", "compare", "plots", "state", "extra"}) expected.erase(other);
+  std::set<std::string> found;
+  for (const auto& [title, rows] : key_sections()) {
+    if (title == "the whole") {
+      found.merge(keys_of(rows));
+      continue;
+    }
+    found.emplace(title);
+    const Json& part = schema["properties"][std::string(title)];
+    EXPECT_EQ(keys_of(rows), keys_of(part.contains("items") ? part["items"] : part)) << title;
+  }
+  EXPECT_EQ(found, expected);
+}
+
+TEST(PresetHelp, TablesHaveEveryForceThatASceneHasOnce) {
+  std::string text;
+  for (const auto& [title, rows] : key_sections()) text += markdown_of(rows);
+  const CommonForces forces;
+  each_common_force(forces, [&](const CommonForce& force, const auto&...) {
+    EXPECT_NE(text.find(fmt::format("| `{}`: **", force.type)), std::string::npos) << force.type;
+  });
+  // A bar in a meaning does not end the cell.
+  EXPECT_NE(text.find("c in F = -c \\|v\\| v |\n"), std::string::npos) << text;
 }
 
 // The reference for people names every word that a file can hold, and its example is a good preset.
