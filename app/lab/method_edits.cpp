@@ -103,8 +103,9 @@ void MethodEdits::compare_usual(const std::vector<Plot>& plots, const std::vecto
     Method rk4 = preset.method;
     rk4.integrator = IntegratorId::kRk4;
     const RunSetup setup = setup_of(preset);
-    change.methods = {
-        reference_for(setup, preset.method, usual_reference(setup)), {euler, rk4}, first_reference(preset)};
+    change.methods = {live_reference_method(setup, preset.method, usual_reference(setup)),
+                      {euler, rk4},
+                      first_reference(preset)};
   }
   const Worker::EditId runs = runs_.begin_with(change.methods, curves);
   history_.push({change.before_usual ? tr("Compare Euler, RK4 and exact") : tr("End of the comparison"), runs},

@@ -33,7 +33,7 @@ ReferenceId usual_reference(const RunSetup& setup) {
   return why_not(setup, ReferenceId::kExactFlight) ? ReferenceId::kRefined : ReferenceId::kExactFlight;
 }
 
-Method reference_for(const RunSetup& setup, const Method& method, ReferenceId reference) {
+Method live_reference_method(const RunSetup& setup, const Method& method, ReferenceId reference) {
   Method best = method;
   best.impacts = ImpactsId::kLocated;
   if (contacts_last(method, needs_of(setup.scene))) {
@@ -48,7 +48,7 @@ Method reference_for(const RunSetup& setup, const Method& method, ReferenceId re
   return best;
 }
 
-Method reference_method(const RunSetup& setup) {
+Method study_reference_method(const RunSetup& setup) {
   Method method = setup.method;
   method.impacts = ImpactsId::kLocated;
   method.integrator = why_not(setup.scene, IntegratorId::kExactFlight) ? IntegratorId::kDormandPrince
@@ -68,7 +68,7 @@ Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time,
   const std::vector<MovingBody> moving = moving_bodies(bodies);
   const double limit = blown_up_above(chaos);
   Reference best;
-  best.method = reference_method(setup);
+  best.method = study_reference_method(setup);
   best.method.step *= kOffTheRows;
   const bool lasts = contacts_last(best.method, needs_of(setup.scene));
   if (best.method.integrator == IntegratorId::kExactFlight && !lasts) {

@@ -18,20 +18,22 @@ enum class ReferenceId { kNone, kExactFlight, kRefined };
 // Why a scene can't have this reference, to follow "allowed: ..."; nothing if it can.
 [[nodiscard]] std::optional<std::string> why_not(const RunSetup& setup, ReferenceId reference);
 
-// Both references below have impacts at their own time, and exact flight where the scene allows it. They differ
-// in how a run is refined otherwise: a study repeats it with ever shorter steps until two runs agree, and so
-// knows its error; beside a run that is under way there is one chance, and the finest that keeps up.
+// A reference beside a run that is under way and that of a study have impacts at their own time. They choose
+// the integrator by different questions. A study repeats its reference with ever shorter steps until two runs
+// agree, so it knows an error that depends on the step: where contacts last, which are solved once a step, it
+// keeps exact flight between them. Beside a run there is one chance, and the finest that keeps up; its error is
+// that from a second run with coarser steps, and exact flight has none: it is taken only where nothing depends
+// on the step.
 //
-// The method of the reference for a run under `method`. A refined run uses
-// the adaptive integrator at kFineTolerance; with resting contacts, which depend on the step, the fifth order
-// at an eighth of the step.
+// The method of the reference beside a run under `method`. A refined run uses the adaptive integrator at
+// kFineTolerance; with resting contacts the fifth order at an eighth of the step.
 inline constexpr double kFineTolerance = 1e-12;  // m and m/s
 inline constexpr int kFineSteps = 8;
-[[nodiscard]] Method reference_for(const RunSetup& setup, const Method& method, ReferenceId reference);
+[[nodiscard]] Method live_reference_method(const RunSetup& setup, const Method& method, ReferenceId reference);
 
-// The method of a study's reference, which is refined by halving the step (see make_reference): exact flight
-// if the scene allows it, else the fifth order, with the scene's own step.
-[[nodiscard]] Method reference_method(const RunSetup& setup);
+// The method of a study's reference (see make_reference): exact flight if bodies that fly allow it, else the
+// fifth order, with the scene's own step.
+[[nodiscard]] Method study_reference_method(const RunSetup& setup);
 
 // The reference of a study's runs, and its uncertainty.
 struct Reference {

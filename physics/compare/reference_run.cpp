@@ -58,7 +58,7 @@ Method less_refined(Method reference, bool lasts) {
 ReferenceRun::ReferenceRun(const RunSetup& run, ReferenceId reference)
     : setup_(without_edits(run)),
       id_(reference),
-      fine_(with_method(setup_, reference_for(setup_, setup_.method, reference))),
+      fine_(with_method(setup_, live_reference_method(setup_, setup_.method, reference))),
       check_(
           beside(setup_, less_refined(fine_.method(), contacts_last(setup_.method, needs_of(setup_.scene))))),
       moving_(moving_bodies(fine_.bodies())),
@@ -88,7 +88,7 @@ void ReferenceRun::edit(const RunEdit& edit) {
 }
 
 void ReferenceRun::take_methods() {
-  const Method fine = reference_for(setup_, setup_.method, id_);
+  const Method fine = live_reference_method(setup_, setup_.method, id_);
   const Method check = less_refined(fine, contacts_last(setup_.method, needs_of(setup_.scene)));
   if (!(fine == fine_.method())) fine_.set_method(fine);
   if (!(check == check_.method())) check_.set_method(check);

@@ -275,7 +275,7 @@ StudyTable run_study(const Preset& preset, const std::string& name, const StudyO
 
   const RunSetup setup = setup_of(preset);
   report("neighbours", 0, 1);
-  const Chaos chaos = follow_neighbours(setup, reference_method(setup), (1.0 + kPast) * facts.duration,
+  const Chaos chaos = follow_neighbours(setup, study_reference_method(setup), (1.0 + kPast) * facts.duration,
                                         options.threads, callbacks.stop);
   facts.time = compared_time(preset, options, chaos, facts);
   facts.length = chaos.length;

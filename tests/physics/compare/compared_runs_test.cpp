@@ -418,13 +418,13 @@ TEST(ComparedRuns, ReferencesAreTheBestThatTheSceneAllows) {
   EXPECT_EQ(usual_reference(setup_of(s)), ReferenceId::kRefined);
   EXPECT_TRUE(why_not(setup_of(s), ReferenceId::kExactFlight));
   EXPECT_FALSE(why_not(setup_of(s), ReferenceId::kRefined));
-  const Method fine = reference_for(setup_of(s), s.method, ReferenceId::kRefined);
+  const Method fine = live_reference_method(setup_of(s), s.method, ReferenceId::kRefined);
   EXPECT_EQ(fine.integrator, IntegratorId::kAdaptiveDormandPrince);
   EXPECT_EQ(fine.impacts, ImpactsId::kLocated);
   EXPECT_EQ(fine.tolerance, kFineTolerance);
   s.scene.forces.springs.clear();
   EXPECT_EQ(usual_reference(setup_of(s)), ReferenceId::kExactFlight);
-  EXPECT_EQ(reference_for(setup_of(s), s.method, ReferenceId::kExactFlight).integrator,
+  EXPECT_EQ(live_reference_method(setup_of(s), s.method, ReferenceId::kExactFlight).integrator,
             IntegratorId::kExactFlight);
 }
 

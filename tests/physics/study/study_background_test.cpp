@@ -100,7 +100,7 @@ constexpr double kAges = 1e11;  // s, simulated: 2e12 steps
 
 TEST(Study, StopsWithinARun) {
   Preset s = spring_scene();
-  const Method m = reference_method(setup_of(s));
+  const Method m = study_reference_method(setup_of(s));
   const Chaos chaos = follow_neighbours(setup_of(s), m, 3.0, 1);
   expect_to_stop([&](const std::stop_token& stop) { (void)follow_neighbours(setup_of(s), m, kAges, 2, stop); });
   expect_to_stop(

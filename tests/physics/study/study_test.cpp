@@ -227,7 +227,7 @@ Preset spring_scene() {
 
 TEST(Reference, ItsOwnErrorIsHonest) {
   const Preset s = spring_scene();
-  const Chaos chaos = follow_neighbours(setup_of(s), reference_method(setup_of(s)), 3.0, 1);
+  const Chaos chaos = follow_neighbours(setup_of(s), study_reference_method(setup_of(s)), 3.0, 1);
   const Reference r = make_reference(setup_of(s), chaos, 3.0, 3.3);
   EXPECT_TRUE(r.converged);
   EXPECT_FALSE(r.exact);
@@ -238,17 +238,17 @@ TEST(Reference, ItsOwnErrorIsHonest) {
 
 TEST(Reference, IsExactFlightWhereThatIsAllowed) {
   Preset s = spring_scene();
-  EXPECT_NE(reference_method(setup_of(s)).integrator, IntegratorId::kExactFlight);
+  EXPECT_NE(study_reference_method(setup_of(s)).integrator, IntegratorId::kExactFlight);
   s.scene.forces.springs.clear();
-  EXPECT_EQ(reference_method(setup_of(s)).integrator, IntegratorId::kExactFlight);
-  EXPECT_EQ(reference_method(setup_of(s)).impacts, ImpactsId::kLocated);
+  EXPECT_EQ(study_reference_method(setup_of(s)).integrator, IntegratorId::kExactFlight);
+  EXPECT_EQ(study_reference_method(setup_of(s)).impacts, ImpactsId::kLocated);
 }
 
 // Contact forces are found for a whole step or a part of one: not even exact flight is free of it.
 TEST(Reference, IsRefinedWhereContactsLast) {
   Preset s = read_preset(test::preset_file("friction/slide-to-roll.json"));
   constexpr double kRolls = 0.52;  // s: just after the slip has ended
-  const Chaos chaos = follow_neighbours(setup_of(s), reference_method(setup_of(s)), kRolls, 1);
+  const Chaos chaos = follow_neighbours(setup_of(s), study_reference_method(setup_of(s)), kRolls, 1);
   const Reference r = make_reference(setup_of(s), chaos, kRolls, kRolls);
   EXPECT_EQ(r.method.integrator, IntegratorId::kExactFlight);
   EXPECT_FALSE(r.exact);
@@ -274,7 +274,7 @@ Preset flywheel() {
 TEST(Reference, IsRefinedUntilAnglesAgree) {
   Preset s = flywheel();
   s.scene.bodies[0].spin = 40.0;
-  const Chaos chaos = follow_neighbours(setup_of(s), reference_method(setup_of(s)), 3.0, 1);
+  const Chaos chaos = follow_neighbours(setup_of(s), study_reference_method(setup_of(s)), 3.0, 1);
   EXPECT_NEAR(chaos.arc, 0.5 * (40.0 * 3.0 + 0.5 * (4.5 - 3.0 + 2.0 / 3.0) / 0.25), 1e-9);
   EXPECT_NEAR(chaos.largest_rim_speed, 0.5 * (40.0 + 0.5 * 2.0 / 0.25), 1e-9);
   const Reference r = make_reference(setup_of(s), chaos, 3.0, 3.3);
