@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace carom {
@@ -13,6 +14,9 @@ inline constexpr double kSameMoment = 1e-9;
   if (left <= kSameMoment * h) return 0.0;
   return left > (1.0 - kSameMoment) * h ? h : left;
 }
+
+// How many whole steps of h > 0 there are in a span (s), rounded down, also of a negative one.
+[[nodiscard]] inline double whole_steps(double span, double h) { return std::floor(span / h + kSameMoment); }
 
 // The time of a run, in s. Whole steps keep time = origin + k h, without summing.
 struct RunClock {

@@ -1,7 +1,6 @@
 #include "physics/worker/impact_scout.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/step/run_clock.h"
 
@@ -21,9 +20,7 @@ bool near_impact(const KnownImpacts& impacts, double time) {
   const auto last = std::upper_bound(first, impacts.times.end(), to);
   if (first == last) return false;
   // An impact at the end of a step is one of that step.
-  const auto step_of = [&impacts](double t) {
-    return std::ceil((t - impacts.step_end) / impacts.step - kSameMoment);
-  };
+  const auto step_of = [&impacts](double t) { return -whole_steps(impacts.step_end - t, impacts.step); };
   double with_impact = 0.0;
   double counted = step_of(from) - 1.0;
   for (auto impact = first; impact != last; ++impact) {
@@ -31,7 +28,7 @@ bool near_impact(const KnownImpacts& impacts, double time) {
     if (number > counted) ++with_impact;
     counted = std::max(counted, number);
   }
-  const double steps = std::floor((to - from) / impacts.step + kSameMoment);
+  const double steps = whole_steps(to - from, impacts.step);
   return steps < 2.0 || with_impact < kNearlyEach * steps;
 }
 

@@ -40,6 +40,14 @@ Preset gas(double restitution, double friction) {
   return preset_with(std::move(bodies), restitution, friction);
 }
 
+TEST(RunClock, CountsWholeSteps) {
+  EXPECT_EQ(whole_steps(0.25, 0.1), 2.0);
+  EXPECT_EQ(whole_steps(-0.25, 0.1), -3.0);
+  EXPECT_LT(0.3 / 0.1, 3.0);  // by rounding
+  EXPECT_EQ(whole_steps(0.3, 0.1), 3.0);
+  EXPECT_EQ(whole_steps(-0.3, 0.1), -3.0);
+}
+
 TEST(Gas, HundredThousandElasticImpacts) {
   Simulation run(setup_of(gas(1.0, 0.0)));
   const Totals start = run.totals();
