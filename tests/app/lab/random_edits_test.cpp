@@ -260,7 +260,7 @@ TEST(RandomEditsTest, AtTheStart) {
 }
 
 TEST(RandomEditsTest, OnTheWay) {
-  const int edits = test::by_effort(20, 40, 1'000);
+  const int edits = test::by_effort(20, 40, 3'400);
   for (unsigned seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
