@@ -28,8 +28,8 @@ void advance(Simulation& reference, const Simulation& run, const AfterStep& afte
   const double h = run.method().step;
   const double same = std::max(kSameMoment * h, kRounding * run.time());
   if (std::abs(run.time() - reference.time() - h) > same) return reference.advance_to(run.time(), after_step);
-  const double steps = whole_steps(h, reference.method().step);
-  for (double i = 0.0; i < steps; i += 1.0) {
+  const auto steps = static_cast<long>(whole_steps(h, reference.method().step));
+  for (long i = 0; i < steps; ++i) {
     reference.step();
     after_step();
   }
