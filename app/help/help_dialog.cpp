@@ -38,7 +38,11 @@ constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
 
 constexpr int kKeysRow = 1;
 
-// Adds space between paragraphs, before headings and in tables, which Markdown cannot specify.
+// Whether the block is a line of code within a fence. Qt gives each such line a block of its own.
+bool is_code(const QTextBlock& block) { return block.blockFormat().hasProperty(QTextFormat::BlockCodeFence); }
+
+// Adds space between paragraphs, before headings and in tables, which Markdown cannot specify; and lets lines
+// of code wrap, where a page is narrow.
 void space_out(QTextDocument& document, const QColor& lines) {
   for (QTextFrame* frame : document.rootFrame()->childFrames()) {
     auto* table = qobject_cast<QTextTable*>(frame);
@@ -55,8 +59,10 @@ void space_out(QTextDocument& document, const QColor& lines) {
   }
   for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
     QTextBlockFormat format = block.blockFormat();
-    format.setTopMargin(format.headingLevel() > 0 ? 16 : 2);
-    format.setBottomMargin(block.textList() != nullptr ? 2 : 6);
+    const bool code_goes_on = is_code(block) && is_code(block.next());
+    format.setTopMargin(format.headingLevel() > 0 ? 16 : is_code(block) ? 0 : 2);
+    format.setBottomMargin(code_goes_on ? 0 : block.textList() != nullptr ? 2 : 6);
+    format.setNonBreakableLines(false);
     QTextCursor(block).setBlockFormat(format);
   }
 }
@@ -149,6 +155,7 @@ void show_help(QWidget* parent, const QString& keys, HelpPage page) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(QObject::tr("Help – Carom"));
   dialog->resize(940, 640);
+  dialog->setMinimumWidth(760);  // narrower, tables are cut
   auto* list = new QListWidget(dialog);
   list->setObjectName("help-pages");
   list->setSpacing(3);
@@ -157,6 +164,7 @@ void show_help(QWidget* parent, const QString& keys, HelpPage page) {
   wanted->setClearButtonEnabled(true);
   auto* text = new QTextBrowser(dialog);
   text->setOpenExternalLinks(true);
+  text->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // all wraps; Qt takes tables for wider at first
   const auto help = std::make_shared<HelpPages>(*list, *text, keys);
   QObject::connect(list, &QListWidget::currentRowChanged, text, [help](int row) {
     if (row >= 0) help->show(row);

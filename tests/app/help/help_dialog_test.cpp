@@ -1,5 +1,6 @@
 #include "app/help/help_dialog.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QDialog>
 #include <QLineEdit>
 #include <QListWidget>
@@ -39,6 +40,18 @@ TEST(HelpDialog, IsSearched) {
   field->clear();
   EXPECT_EQ(shown(), all);
   EXPECT_FALSE(text->toPlainText().contains("No page has"));
+}
+
+TEST(HelpDialog, NoPageIsWiderThanItsWindow) {
+  QWidget window;
+  show_help(&window, "# Keys\n\nSpace plays.");
+  auto* pages = window.findChild<QListWidget*>("help-pages");
+  auto* text = window.findChild<QTextBrowser*>();
+  for (int row = 0; row < pages->count(); ++row) {
+    pages->setCurrentRow(row);
+    const double width = text->document()->documentLayout()->documentSize().width();
+    EXPECT_LE(width, text->viewport()->width() + 1.0) << pages->item(row)->text().toStdString();
+  }
 }
 
 // A page is laid out once, not at each letter: that takes longer than all the searches.
