@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "physics/collision/closest_features.h"
+#include "physics/collision/feature_id.h"
 #include "physics/math/vectors.h"
 
 namespace carom {
@@ -25,15 +26,6 @@ constexpr double kTipOfFaces = 32.0 * std::numeric_limits<double>::epsilon();
 constexpr double kBlunt = 1e-4;
 // Relative to the scale: where corners meet, edges that part two bodies equally well within this.
 constexpr double kTie = 1e-5;
-
-enum class Ends : std::uint32_t { kOne, kLow, kHigh, kVertices };
-
-// Two bits for the kind, then four for each body's edge or vertex.
-std::uint32_t feature_id(Ends ends, int of_a, int of_b) {
-  static_assert(kMostVertices <= 16);
-  return static_cast<std::uint32_t>(ends) | static_cast<std::uint32_t>(of_a) << 2U |
-         static_cast<std::uint32_t>(of_b) << 6U;
-}
 
 // Where two bodies touch or are nearest, relative to the position of body a in the frame in which they were
 // compared.

@@ -17,8 +17,10 @@ namespace {
 constexpr double kAtEnd = 1e-12;
 // Likewise for a corner: its contact ends so far before, where the manifold still has the face's normal, and
 // nearer ones have reached the end. Beyond, faces that nearly touch beside the corner may be taken.
-constexpr double kBeforeEnd = 2.5e-5;
-constexpr double kCornerAtEnd = 3e-5;
+constexpr double kBeforeEnd = 2.5e-10;
+constexpr double kCornerAtEnd = 3e-10;
+// Likewise, beside half the gap: what touches at a corner so near may leave it.
+constexpr double kLeaves = 4e-10;
 // rad: corners that turn by less are no ends; the normal turns there as along a curve.
 constexpr double kLeastCorner = 0.05;
 // rad: beyond an end the normal turns to this side of the face's own; far enough to tell a corner from
@@ -192,7 +194,7 @@ bool leaves_corner(const World& world, const FoundContacts& found, int i, const 
       parts_at(world.shapes(), found.contacts.a[i], found.contacts.b[i], found.id[static_cast<std::size_t>(i)]);
   if (!is_sharp(parts.a) || !is_sharp(parts.b)) return false;
   const auto [a, b] = sides_of(world, found, i);
-  const double near = kAtCorner * sizes(world, a.body, b.body);
+  const double near = kLeaves * sizes(world, a.body, b.body) + 0.5 * std::abs(found.contacts.gap[i]);
   const Vec2 point = found.point[static_cast<std::size_t>(i)];
   const auto velocity = [&](BodyIndex body) {
     const Motion y = world.trajectories.at_start(body);

@@ -24,7 +24,6 @@ constexpr double kSameTime = 1e-9;
 void GaussContacts::clear() {
   all_.clear();
   improved_.clear();
-  settled_ = true;
 }
 
 void GaussContacts::begin_part(double time, double step_length) {
@@ -48,7 +47,6 @@ double GaussContacts::improve(World& world, double h, const Neighbours& neighbou
       enter(step);
     } else {
       island_.put_back(step);
-      settled_ = false;
     }
   }
   if (ends < h) note_breaks(step, ends);

@@ -41,8 +41,6 @@ class GaussContacts {
   [[nodiscard]] bool has(int contact) const {
     return !improved_.empty() && improved_[static_cast<std::size_t>(contact)] != 0;
   }
-  // Whether all islands that need linear forces have them.
-  [[nodiscard]] bool settled() const { return settled_; }
   // Enters the work and the impulses of the linear forces until `passed` s after the epoch into the ledger.
   void record(World& world, double passed) const;
 
@@ -53,8 +51,7 @@ class GaussContacts {
   void enter(const GaussStep& step);
   void note_breaks(const GaussStep& step, double ends);
 
-  double h_ = 0.0;  // s
-  bool settled_ = true;
+  double h_ = 0.0;                        // s
   std::vector<std::vector<int>> joined_;  // contacts of islands, together where joints join their bodies
   std::vector<int> joined_of_;            // by island of the trajectories; -1: none
   GaussIsland island_;

@@ -36,11 +36,6 @@ Vec2 weighted_mean(std::size_t point, const Motion& from, const Motion& to, doub
          weight(3) * h * to.segment<2>(3);
 }
 
-// Halfway, about.
-Vec2 middle_normal(const GaussContact& c) { return (c.at[0].normal + c.at[1].normal).normalized(); }
-Vec2 middle_arm_a(const GaussContact& c) { return 0.5 * (c.at[0].arm_a + c.at[1].arm_a); }
-Vec2 middle_arm_b(const GaussContact& c) { return 0.5 * (c.at[0].arm_b + c.at[1].arm_b); }
-
 // By what share of h²/2 accelerations at the Gauss points move a body in a step: as the force that is linear
 // through both does, or as its value at the start alone, in a step of velocity Verlet.
 std::array<double, 2> moves_by(const World& world) {
@@ -78,6 +73,24 @@ bool find_contact(const World& world, BodyIndex a, const Motion& ya, BodyIndex b
   return true;
 }
 
+bool find_contact(const GaussStep& step, const GaussContact& c, const Motion& ya, const Motion& yb,
+                  Contact& contact, RowVelocity& velocity) {
+  const Geometry& g = step.world.shapes();
+  if (!c.corner)
+    return find_contact(step.world, c.a, ya, c.b, yb, step.found.id[static_cast<std::size_t>(c.contact)],
+                        contact, velocity);
+  contact = contact_on_line(g, c.a, g.pose(c.a, ya.head<3>()), c.b, g.pose(c.b, yb.head<3>()), *c.corner);
+  velocity = contact_velocity(contact.normal, contact.point - ya.head<2>(), contact.point - yb.head<2>(),
+                              ya.segment<3>(3), yb.segment<3>(3));
+  return true;
+}
+
+GaussContact::AtTime at_time(const Contact& contact, const Motion& ya, const Motion& yb,
+                             const RowVelocity& velocity) {
+  return {contact.normal,  contact.point - ya.head<2>(), contact.point - yb.head<2>(), contact.gap,
+          velocity.normal, velocity.tangential};
+}
+
 double friction_of(const GaussStep& step, const GaussContact& c) {
   const Contacts& found = step.found.contacts;
   return c.at_limit ? found.static_friction[c.contact] : found.kinetic_friction[c.contact];
@@ -113,15 +126,13 @@ void GaussIsland::sample(const GaussStep& step) {
 
 // Reads the contacts off the present flights. False if one is not what it was.
 bool GaussIsland::look(const GaussStep& step) {
-  const World& world = step.world;
   for (GaussContact& c : closed_) {
-    const std::uint32_t id = step.found.id[static_cast<std::size_t>(c.contact)];
     const Sampled& a = sampled(c.a);
     const Sampled& b = sampled(c.b);
     Contact contact;
     RowVelocity velocity;
     for (const std::size_t k : {0U, 1U}) {
-      if (!find_contact(world, c.a, a.at[k], c.b, b.at[k], id, contact, velocity)) return false;
+      if (!find_contact(step, c, a.at[k], b.at[k], contact, velocity)) return false;
       GaussContact::AtPoint& at = c.at[k];
       at.normal = contact.normal;
       at.point = contact.point;
@@ -130,10 +141,10 @@ bool GaussIsland::look(const GaussStep& step) {
       at.gap = contact.gap;
       at.slip = velocity.tangential;
     }
-    if (!find_contact(world, c.a, a.halfway, c.b, b.halfway, id, contact, velocity)) return false;
-    c.halfway = {contact.normal, contact.gap, velocity.normal, velocity.tangential};
-    if (!find_contact(world, c.a, a.end, c.b, b.end, id, contact, velocity)) return false;
-    c.end = {contact.normal, contact.gap, velocity.normal, velocity.tangential};
+    if (!find_contact(step, c, a.halfway, b.halfway, contact, velocity)) return false;
+    c.halfway = at_time(contact, a.halfway, b.halfway, velocity);
+    if (!find_contact(step, c, a.end, b.end, contact, velocity)) return false;
+    c.end = at_time(contact, a.end, b.end, velocity);
   }
   return true;
 }
@@ -183,34 +194,38 @@ void GaussIsland::build(const GaussStep& step) {
     if (c.presses) rows_ += c.holds ? 2 : 1;
     if (c.holds) hold_face(c);
   }
-  matrix_.setZero(rows_, rows_);
-  for (const GaussContact& c : closed_) {
-    if (!c.presses) continue;
-    add_column(step, c, c.row, 1.0, c.sticks ? 0.0 : -c.slips * friction_of(step, c));
-    if (c.holds) add_column(step, c, c.row + 1, 0.0, 1.0);
+  if (rows_ == 0) return;
+  for (const std::size_t k : {0U, 1U}) {
+    matrix_.setZero(rows_, rows_);
+    for (const GaussContact& c : closed_) {
+      if (!c.presses) continue;
+      add_column(step, c, k, c.row, 1.0, c.sticks ? 0.0 : -c.slips * friction_of(step, c));
+      if (c.holds) add_column(step, c, k, c.row + 1, 0.0, 1.0);
+    }
+    solver_[k].compute(matrix_);
   }
-  if (rows_ > 0) solver_.compute(matrix_);
 }
 
-// How all contacts answer to this force of one, which joints pass on.
-void GaussIsland::add_column(const GaussStep& step, const GaussContact& c, int to, double normal,
-                             double tangential) {
+// How all contacts answer to this force of one at a Gauss point, which joints pass on.
+void GaussIsland::add_column(const GaussStep& step, const GaussContact& c, std::size_t point, int to,
+                             double normal, double tangential) {
   const World& world = step.world;
-  const Vec2 n = middle_normal(c);
+  const GaussContact::AtPoint& at = c.at[point];
+  const Vec2& n = at.normal;
   const Vec2 force = normal * n + tangential * crossed(n);
   answers_.setZero(3, static_cast<Eigen::Index>(bodies_.size()));
   const auto push = [&](BodyIndex body, double sign, const Vec2& arm) {
     answers_.col(column(body)) << sign * world.mass().inverse_mass[body] * force,
         sign * world.mass().inverse_inertia[body] * cross(arm, force);
   };
-  push(c.a, -1.0, middle_arm_a(c));
-  push(c.b, 1.0, middle_arm_b(c));
+  push(c.a, -1.0, at.arm_a);
+  push(c.b, 1.0, at.arm_b);
   if (std::any_of(bodies_.begin(), bodies_.end(),
                   [&](BodyIndex i) { return world.trajectories.is_jointed(i); }))
     step.world.trajectories.project_changes(bodies_, answers_);
   for (const GaussContact& other : closed_) {
     if (!other.presses) continue;
-    const RowVelocity u = contact_velocity(middle_normal(other), middle_arm_a(other), middle_arm_b(other),
+    const RowVelocity u = contact_velocity(other.end.normal, other.end.arm_a, other.end.arm_b,
                                            answers_.col(column(other.a)), answers_.col(column(other.b)));
     matrix_(other.row, to) = u.normal;
     if (other.holds) matrix_(other.row + 1, to) = u.tangential;
@@ -238,7 +253,11 @@ void GaussIsland::correct(const GaussStep& step) {
     wanted_(c.row + 1, 0) = (-2.0 * c.halfway.slip / h - late * slips) / (early - late);
     wanted_(c.row + 1, 1) = slips - wanted_(c.row + 1, 0);
   }
-  if (rows_ > 0) change_ = solver_.solve(wanted_);
+  change_.resize(rows_, 2);
+  for (const std::size_t k : {0U, 1U}) {
+    const auto point = static_cast<Eigen::Index>(k);
+    if (rows_ > 0) change_.col(point) = solver_[k].solve(wanted_.col(point));
+  }
   for (GaussContact& c : closed_) {
     for (const std::size_t k : {0U, 1U}) {
       GaussContact::AtPoint& at = c.at[k];

@@ -4,9 +4,11 @@
 #include <Eigen/QR>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "physics/collision/corner_on_face.h"
 #include "physics/contact/contact_rows.h"
 #include "physics/dynamics/state.h"
 #include "physics/step/contact_finder.h"
@@ -57,12 +59,14 @@ struct GaussContact {
   };
   struct AtTime {
     Vec2 normal = Vec2::UnitX();
-    double gap = 0.0;                  // m
-    double parting = 0.0, slip = 0.0;  // m/s
+    Vec2 arm_a = Vec2::Zero(), arm_b = Vec2::Zero();  // m
+    double gap = 0.0;                                 // m
+    double parting = 0.0, slip = 0.0;                 // m/s
   };
   int contact = 0;
   BodyIndex a, b;
-  int face = 0;  // contacts of the same face slip alike
+  std::optional<CornerOnFace> corner;  // that touches at the start
+  int face = 0;                        // contacts of the same face slip alike
   bool presses = true;
   bool sticks = false;
   bool holds = false;       // it has the tangential force of all that stick on its face
@@ -119,7 +123,8 @@ class GaussIsland {
   [[nodiscard]] bool is_continued(const GaussStep& step) const;
   [[nodiscard]] double off(const GaussStep& step, double left) const;
   void build(const GaussStep& step);
-  void add_column(const GaussStep& step, const GaussContact& c, int to, double normal, double tangential);
+  void add_column(const GaussStep& step, const GaussContact& c, std::size_t point, int to, double normal,
+                  double tangential);
   void correct(const GaussStep& step);
   void push(const GaussStep& step);
 
@@ -132,15 +137,21 @@ class GaussIsland {
   std::array<Eigen::Matrix3Xd, 2> by_;  // likewise by those at the Gauss points
   Eigen::Matrix3Xd answers_;            // velocities, to a unit impulse
   int rows_ = 0;
-  Eigen::MatrixXd matrix_;           // accelerations of the contacts, halfway, to unit forces
+  Eigen::MatrixXd matrix_;           // accelerations of the contacts, as they are at the end, to unit forces
   Eigen::MatrixXd wanted_, change_;  // by row, at the Gauss points
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
+  std::array<Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>, 2> solver_;  // for forces at each point
 };
 
-// A contact in these motions of its bodies: the point of this id or, where a corner has come to face the other
-// body by another edge, the one nearest to touching. False if there is none.
+// A contact in these motions of its bodies; a corner that has left its face stays on the face's line. False if
+// there is none.
+bool find_contact(const GaussStep& step, const GaussContact& c, const Motion& ya, const Motion& yb,
+                  Contact& contact, RowVelocity& velocity);
+// Likewise where the bodies are nearest: the point of this id or, where a corner has come to face the other
+// body by another edge, the one nearest to touching.
 bool find_contact(const World& world, BodyIndex a, const Motion& ya, BodyIndex b, const Motion& yb,
                   std::uint32_t id, Contact& contact, RowVelocity& velocity);
+[[nodiscard]] GaussContact::AtTime at_time(const Contact& contact, const Motion& ya, const Motion& yb,
+                                           const RowVelocity& velocity);
 // That of a contact that does not stick.
 [[nodiscard]] double friction_of(const GaussStep& step, const GaussContact& c);
 // m: of a contact at this point, smaller gaps are rounding.

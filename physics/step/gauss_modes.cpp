@@ -75,8 +75,7 @@ double slip_ends(const GaussStep& step, const GaussContact& c, double wrong) {
   const auto slip = [&](double time) {
     Contact contact;
     RowVelocity velocity{};
-    (void)find_contact(step.world, c.a, trajectories.at(c.a, time), c.b, trajectories.at(c.b, time),
-                       step.found.id[static_cast<std::size_t>(c.contact)], contact, velocity);
+    (void)find_contact(step, c, trajectories.at(c.a, time), trajectories.at(c.b, time), contact, velocity);
     return c.slips * velocity.tangential;
   };
   return bracketed_root(slip, 0.0, c.slips * c.start.slip, wrong, slip(wrong));

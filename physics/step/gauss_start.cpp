@@ -79,6 +79,12 @@ bool GaussIsland::begin(const GaussStep& step, std::span<const int> contacts) {
   for (const BodyIndex body : bodies_)
     constant_.col(column(body)) = step.world.field().contact_acceleration(body);
   sample(step);
+  const Geometry& g = step.world.shapes();
+  for (GaussContact& c : closed_) {
+    c.corner = corner_on_face(g, c.a, g.pose(c.a, sampled(c.a).start.head<3>()), c.b,
+                              g.pose(c.b, sampled(c.b).start.head<3>()),
+                              step.found.id[static_cast<std::size_t>(c.contact)]);
+  }
   if (!look(step) || is_continued(step)) return false;
   for (GaussContact& c : closed_) {
     if (!start(step, c)) return false;
@@ -123,11 +129,10 @@ bool GaussIsland::list(const GaussStep& step) {
 bool GaussIsland::start(const GaussStep& step, GaussContact& c) const {
   Contact contact;
   RowVelocity velocity;
-  if (!find_contact(step.world, c.a, sampled(c.a).start, c.b, sampled(c.b).start,
-                    step.found.id[static_cast<std::size_t>(c.contact)], contact, velocity) ||
+  if (!find_contact(step, c, sampled(c.a).start, sampled(c.b).start, contact, velocity) ||
       contact.normal.dot(c.end.normal) <= kLeastCosine)
     return false;
-  c.start = {contact.normal, contact.gap, velocity.normal, velocity.tangential};
+  c.start = at_time(contact, sampled(c.a).start, sampled(c.b).start, velocity);
   if (!rubs(step, c)) return true;
   const Contacts& found = step.found.contacts;
   const bool larger = found.static_friction[c.contact] > found.kinetic_friction[c.contact];

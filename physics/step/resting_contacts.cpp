@@ -102,17 +102,14 @@ void RestingContacts::support(World& world, double h, bool may_divide) {
 }
 
 // The first end of a face within h s, first on the forces that are on the trajectories, and then on those found
-// until shortly before: past the end a corner's contact is another one. Where a mode ends before, that; where
-// no linear forces are found for so long, half of it, from which the end is looked for again.
+// until shortly before: past the end a corner's contact is another one. Where a mode ends before, that.
 double RestingContacts::end_of_faces(World& world, double h) {
   double end = first_face_end(world, near_ends_, finder_.neighbours(), h);
   take_off_forces(world);
   if (!(end < h)) return h;
   find_contacts(world, kShortly * end);
   const double holds = hold(world, kShortly * end, 0.0);
-  if (!linear_.settled()) {
-    end *= 0.5;
-  } else if (holds < kWhole * kShortly * end) {
+  if (holds < kWhole * kShortly * end) {
     end = holds;
   } else {
     end = first_face_end(world, near_ends_, finder_.neighbours(), h);
