@@ -48,17 +48,22 @@ struct CompoundMoments {
 // Where nothing has an area, as of thin rods of one mass a length.
 CompoundMoments moments_of(const Compound& compound) {
   CompoundMoments all;
-  for (const PlacedShape& s : compound.shapes) all.area += area(shape_of(s.shape));
+  double reach = 0.0;
+  for (const PlacedShape& s : compound.shapes) {
+    all.area += area(shape_of(s.shape));
+    reach += bounding_radius(shape_of(s.shape));
+  }
+  // Rods weigh as they are long, and points alike.
   const auto weight = [&](const PlacedShape& s) {
     const Shape shape = shape_of(s.shape);
-    return all.area > 0.0 ? area(shape) : bounding_radius(shape);
+    return all.area > 0.0 ? area(shape) : reach > 0.0 ? bounding_radius(shape) : 1.0;
   };
   double sum = 0.0;
   for (const PlacedShape& s : compound.shapes) {
     sum += weight(s);
     all.centre += weight(s) * s.position;
   }
-  if (!(sum > 0.0)) return all;
+  if (!(sum > 0.0)) return all;  // no shapes
   all.centre /= sum;
   for (const PlacedShape& s : compound.shapes) {
     all.inertia_per_mass +=

@@ -133,5 +133,12 @@ TEST(Shape, ExtentsOfATurnedBox) {
   EXPECT_EQ(area(Wall{2.0}), 0.0);
 }
 
+// A rod without mass with points at its ends.
+TEST(Shape, PointsOfACompoundWeighAlike) {
+  const Compound points{{{Disc{0.0}, {1.0, 0.0}, 0.0, ""}, {Disc{0.0}, {2.0, 0.0}, 0.0, ""}}};
+  EXPECT_EQ(centre_of(points), Vec2(1.5, 0.0));
+  EXPECT_EQ(inertia_per_mass(points), 0.25);
+}
+
 }  // namespace
 }  // namespace carom
