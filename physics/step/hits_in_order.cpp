@@ -53,6 +53,10 @@ void resolve_in_order(World& world, HitsInOrder& buffers, double h, double withi
     while (hits.size() > begin) {
       take_connected(world, hits, begin, together);
       if (resolve(world, cluster, together, within, all)) continue;
+      if (const ImpactCluster::Touch* only = cluster.only_one_left()) {
+        resolve_alone({only->a, only->b, only->contact});
+        continue;
+      }
       std::sort(together.begin(), together.end(), [](const Hit& x, const Hit& y) { return is_later(y, x); });
       for (const Hit& hit : together) resolve_alone(hit);
     }

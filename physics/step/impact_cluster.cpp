@@ -9,6 +9,7 @@
 #include "physics/math/sort_unique.h"
 #include "physics/math/vectors.h"
 #include "physics/step/apply_impact.h"
+#include "physics/step/contact_sides.h"
 
 namespace carom {
 namespace {
@@ -75,6 +76,7 @@ void ImpactCluster::drop_doubles(const World& world) {
       *same = t;
     }
   }
+  has_dropped_ = kept < touches_.size();
   touches_.resize(kept);
 }
 
@@ -82,11 +84,19 @@ bool ImpactCluster::has_several(const World& world) const {
   if (touches_.empty()) return false;
   const Touch& first = touches_.front();
   const SurfaceLaw& law = world.material(first.contact, first.a, first.b);
-  // Nor are bodies that move as one in one plane, whose law is the same: whatever meets them slides alike at
-  // all of its points there, so that one impact where their pressure acts is the same as several. Discs have no
-  // stretch of their own to find it by (see pressed_contact).
+  // Whatever meets bodies that move as one in one plane with one law slides alike at all of its points there,
+  // so that one impact where their pressure acts is the same as several. Discs have no stretch of their own to
+  // find it by (see pressed_contact).
+  const auto parts_of = [&](const Touch& t) {
+    return world.shapes().parts_or_first(t.contact.parts, t.a, t.b);
+  };
   const auto has_stretch = [&](const Touch& t) {
-    return !world.shapes().is_disc(t.a) && !world.shapes().is_disc(t.b);
+    const ShapePair parts = parts_of(t);
+    return !is_round(world.shapes().shapes, parts.a) && !is_round(world.shapes().shapes, parts.b);
+  };
+  const auto of_same_parts = [&](const Touch& t) {
+    const ShapePair parts = parts_of(t);
+    return parts.a == parts_of(first).a && parts.b == parts_of(first).b;
   };
   const auto on_one_face = [&](const Touch& t) {
     if (!has_stretch(t) || !has_stretch(first)) return false;
@@ -96,8 +106,7 @@ bool ImpactCluster::has_several(const World& world) const {
            std::abs(along.dot(first.contact.normal)) <= kOnePoint * along.norm();
   };
   return std::any_of(touches_.begin() + 1, touches_.end(), [&](const Touch& t) {
-    return ((t.a != first.a || t.b != first.b) && !on_one_face(t)) ||
-           world.material(t.contact, t.a, t.b) != law;
+    return !(of_same_parts(t) || on_one_face(t)) || world.material(t.contact, t.a, t.b) != law;
   });
 }
 

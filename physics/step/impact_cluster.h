@@ -59,7 +59,10 @@ class ImpactCluster {
     friend BodyPair ends_of(const Touch& touch) { return {touch.a, touch.b}; }
   };
 
-  void clear() { touches_.clear(); }
+  void clear() {
+    touches_.clear();
+    has_dropped_ = false;
+  }
   // Bodies a < b.
   void add(BodyIndex a, BodyIndex b, const Contact& contact) { touches_.push_back({a, b, contact}); }
   [[nodiscard]] std::span<const Touch> touches() const { return touches_; }
@@ -90,7 +93,11 @@ class ImpactCluster {
   // there these have one surface. Where its two sides differ it is the less elastic one, of two as elastic the
   // rougher one, whatever the order of the bodies.
   void drop_doubles(const World& world);
-  // Whether the touches are of more than one pair of bodies, or of parts with several laws.
+  // The one touch that is left of several that were one; else null.
+  [[nodiscard]] const Touch* only_one_left() const {
+    return has_dropped_ && touches_.size() == 1 ? &touches_.front() : nullptr;
+  }
+  // Whether the touches are more than one impact can stand for: not all on one face with one law.
   [[nodiscard]] bool has_several(const World& world) const;
   // Whether the law of simultaneous impacts knows all properties of their surfaces.
   [[nodiscard]] bool has_law(const World& world) const;
@@ -118,6 +125,7 @@ class ImpactCluster {
   void record(World& world, double within, State before, const Ledger& ledger_before);
 
   std::vector<Touch> touches_;
+  bool has_dropped_ = false;     // doubles
   std::vector<double> closing_;  // m/s, by touch
   std::vector<BodyIndex> bodies_;
   std::vector<ClusterContact> contacts_;

@@ -160,6 +160,7 @@ void EventDrivenImpacts::find_closing(const Step& step, BodyIndex a, BodyIndex b
   if (at_once_work_ > kMostWork) return;
   find_due(step, a, b, time);
   cluster_.keep_closing(world, a, b, [&](BodyIndex i) { return motion_at(world.trajectories, i, time); });
+  if (cluster_.only_one_left() != nullptr) return;
   if (!cluster_.has_several(world) || cluster_.touches().size() > 2 * kMostTogether) {
     cluster_.clear();
   } else if (!cluster_.has_law(world)) {
@@ -217,11 +218,16 @@ std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, BodyIn
   } else if (!find_of_clay(world, a, b, time)) {
     find_closing(step, a, b, time);
   }
-  if (cluster_.touches().size() < 2) return std::nullopt;
+  const ImpactCluster::Touch* only = cluster_.only_one_left();
+  if (cluster_.touches().size() < 2 && only == nullptr) return std::nullopt;
   if (!all) at_once_work_ += cluster_.work(world);
   const std::vector<int> islands = islands_of(trajectories, cluster_.find_bodies());
   for (const int island : islands) {
     if (trajectories.start(trajectories.members(island).front()) != time) trajectories.advance_to(island, time);
+  }
+  if (only != nullptr) {
+    rebuild_and_search(step, islands);
+    return resolve_alone(step, only->a, only->b, only->contact, time, false);
   }
   for (ImpactCluster::Touch& touch : cluster_.touches())
     touch.rests = !all && comes_to_rest(step, touch.a, touch.b, touch.contact);

@@ -99,18 +99,22 @@ bool is_true_impact(const World& world, BodyIndex a, BodyIndex b, const Contact&
   return -world.parting_speed(a, b, contact) > least;
 }
 
-// The pairs that overlap and close, where a body that moves is in several of them: all, or those that the
-// impacts of struck bodies have set off. With these also what touches, if the scene says so.
+// What overlaps and closes, where a body that moves is in several pairs or one of a pair has several shapes:
+// all, or those that the impacts of struck bodies have set off. With these also what touches, if the scene says
+// so.
 void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighbours& neighbours, double h,
                const std::vector<bool>* struck, std::vector<Hit>& hits) {
   hits.clear();
   const auto has_others = [&](BodyIndex body) {
     return !world.infinite_mass(body) && neighbours.of(body).size() > 1;
   };
+  const auto may_be_several = [&](BodyIndex a, BodyIndex b) {
+    return has_others(a) || has_others(b) || world.shapes().has_parts(a) || world.shapes().has_parts(b);
+  };
   const auto is_struck = [&](BodyIndex body) { return (*struck)[static_cast<std::size_t>(body)]; };
   for (const auto& [a, b, resting] : pairs) {
     if (struck != nullptr && !is_struck(a) && !is_struck(b)) continue;
-    if (resting || !world.can_collide(a, b) || (!has_others(a) && !has_others(b))) continue;
+    if (resting || !world.can_collide(a, b) || !may_be_several(a, b)) continue;
     world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
       const Approach at = overlap_of(world, a, b, {part_a, part_b}, neighbours);
       if (has_met(at, h, touch_tolerance(world, a, b)) &&

@@ -4,6 +4,7 @@
 
 #include "physics/collision/pair_contact.h"
 #include "physics/run/run_setup.h"
+#include "tests/support/compounds.h"
 #include "tests/support/draws.h"
 #include "tests/support/impacts.h"
 #include "tests/support/scenes.h"
@@ -13,31 +14,12 @@ namespace carom {
 namespace {
 
 using test::Draws;
-
-PlacedShape placed(const PlainShape& shape, const Vec2& position, double angle = 0.0) {
-  return {shape, position, angle, {}};
-}
-
-Body shaped(const std::string& name, const Shape& shape, const Vec2& position, double angle = 0.0) {
-  Body b = test::disc(name, position, {0.0, 0.0});
-  b.shape = shape;
-  b.angle = angle;
-  b.mass.reset();
-  b.density = 1.0;
-  return b;
-}
-
-Body ground(const std::string& name, const Vec2& position, double angle) {
-  Body b = shaped(name, Wall{}, position, angle);
-  b.density.reset();
-  b.fixed = true;
-  return b;
-}
-
-std::vector<Body> half_planes(double half) {
-  return {ground("floor", {0.0, -half}, 0.0), ground("ceiling", {0.0, half}, M_PI),
-          ground("left", {-half, 0.0}, -M_PI / 2), ground("right", {half, 0.0}, M_PI / 2)};
-}
+using test::gas_of_compounds;
+using test::ground;
+using test::half_planes;
+using test::placed;
+using test::several;
+using test::shaped;
 
 // A box of 0.8 × 0.4 m in other ways.
 std::vector<Shape> forms_of_one_box() {
@@ -108,7 +90,7 @@ TEST(CompoundBodies, ThatLandFlatDoNotTurn) {
         double fastest = 0.0;
         run.advance_to(3.0, [&] { fastest = std::max(fastest, std::abs(run.state().v(2, 1))); });
         EXPECT_GE(run.impact_count(), 3);
-        EXPECT_LE(fastest, 1e-11);
+        EXPECT_LE(fastest, 1e-13);
       }
     }
   }
@@ -146,32 +128,10 @@ TEST(CompoundBodies, ABallInAFreeCupKeepsEnergyAndMomenta) {
   const Totals after = run.totals();
   EXPECT_NEAR(after.energy() / before.energy(), 1.0, 1e-12);
   EXPECT_NEAR((after.momentum - before.momentum).norm(), 0.0, 1e-12);
-  EXPECT_NEAR(after.angular_momentum, before.angular_momentum, 1e-11);
+  EXPECT_NEAR(after.angular_momentum, before.angular_momentum, 1e-12);
   EXPECT_EQ(run.notices().text(), "ok");
   // Still inside.
   EXPECT_LT((run.state().position(1) - run.state().position(0)).norm(), 2.0);
-}
-
-std::vector<Shape> several() {
-  return {Polygon{{{0, 0}, {0.6, 0}, {0.6, 0.2}, {0.2, 0.2}, {0.2, 0.6}, {0, 0.6}}},
-          Polygon{{{0, 0}, {0.6, 0}, {0.6, 0.4}, {0.4, 0.4}, {0.4, 0.2}, {0.2, 0.2}, {0.2, 0.4}, {0, 0.4}}},
-          Compound{{placed(Disc{0.12}, {-0.25, 0.0}), placed(Disc{0.12}, {0.25, 0.0}),
-                    placed(Box{0.5, 0.06}, {0, 0})}},
-          Compound{{placed(Box{0.5, 0.08}, {0.0, 0.0}), placed(Box{0.14, 0.3}, {0.3, 0.0}, 0.1)}}};
-}
-
-std::vector<Body> gas_of_compounds(std::uint64_t seed) {
-  Draws draws(seed);
-  std::vector<Body> bodies = half_planes(2.0);
-  const std::vector<Shape> shapes = several();
-  for (int i = 0; i < 16; ++i) {
-    Body b = shaped(fmt::format("b{}", i), shapes[static_cast<std::size_t>(i) % shapes.size()],
-                    {-1.35 + 0.9 * (i % 4), -1.35 + 0.9 * (i / 4)}, draws.angle());
-    b.velocity = draws.in_square(1.0);
-    b.spin = draws.between(-3.0, 3.0);
-    bodies.push_back(b);
-  }
-  return bodies;
 }
 
 TEST(CompoundBodies, GasKeepsEnergyAndNothingPenetrates) {
@@ -190,33 +150,6 @@ TEST(CompoundBodies, GasKeepsEnergyAndNothingPenetrates) {
         EXPECT_GT(contact_between(run.shapes(), a, run.state().q.col(a), b, run.state().q.col(b)).gap, -1e-12);
       }
     }
-  }
-}
-
-// Turned, mirrored and shifted scenes: the same run, turned, mirrored and shifted.
-TEST(CompoundBodies, DirectionsAndPlacesAreAllTheSame) {
-  const auto end_of = [](std::vector<Body> bodies) {
-    RunSetup s = test::setup_with(std::move(bodies), 0.9, 0.3);
-    s.method = kFlight;
-    Simulation run(s);
-    while (run.impact_count() < 12) run.step();
-    run.advance_to(run.time() + 0.01);
-    return std::pair(run.state(), run.time());
-  };
-  const std::vector<Body> plain = gas_of_compounds(7);
-  const auto [state, time] = end_of(plain);
-  const double turn = 0.9;
-  std::vector<Body> turned = plain;
-  for (Body& b : turned) {
-    b.position = turned_by(turn, b.position) + Vec2(3.0, -1.0);
-    b.velocity = turned_by(turn, b.velocity);
-    b.angle += turn;
-  }
-  const auto [turned_state, turned_time] = end_of(turned);
-  EXPECT_NEAR(turned_time, time, 1e-12);
-  for (int i = 4; i < state.size(); ++i) {
-    const Vec2 back = turned_by(-turn, Vec2(turned_state.position(i) - Vec2(3.0, -1.0)));
-    EXPECT_NEAR((back - state.position(i)).norm(), 0.0, 1e-10);
   }
 }
 
