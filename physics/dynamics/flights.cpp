@@ -201,6 +201,27 @@ Eigen::Vector3d Flights::acceleration(BodyIndex body) {
   return group.start_rates.col(column_of(island, body)).segment<3>(3);
 }
 
+void Flights::accelerations(const Island& island, const State& state, double time, Eigen::Matrix3Xd& by) {
+  if (island.kinematic) return;
+  const auto of = members_of(island);
+  const auto motion = [&state](BodyIndex i) {
+    Motion y;
+    y << state.q.col(i), state.v.col(i), state.quadratures.col(i);
+    return y;
+  };
+  if (island.group < 0) {
+    Motion rate;
+    BodyRates{field, of.front(), epoch}(time, motion(of.front()), rate);
+    by.col(of.front()) = v_of(rate);
+    return;
+  }
+  Motions y(kRows, island.count);
+  for (int j = 0; j < island.count; ++j) y.col(j) = motion(of[static_cast<std::size_t>(j)]);
+  Motions rates(kRows, island.count);
+  GroupRates{field, joints, island.group, of, epoch}(time, y, rates);
+  for (int j = 0; j < island.count; ++j) by.col(of[static_cast<std::size_t>(j)]) = v_of(rates).col(j);
+}
+
 double Flights::error_of(const Island& island, double time) {
   const double h = time - island.start;
   evaluations += island.count;

@@ -122,6 +122,9 @@ struct Flights {
   }
   // m/s², m/s², rad/s²: of a movable body at the start of its island.
   [[nodiscard]] Eigen::Vector3d acceleration(BodyIndex body);
+  // Likewise of an island's bodies that forces move, if they were in this state at `time`, by the springs,
+  // strings and contacts that act now; into their columns of `by`.
+  void accelerations(const Island& island, const State& state, double time, Eigen::Matrix3Xd& by);
   // The error estimate of the adaptive integrator's step that ends at `time`, relative to its tolerance's unit.
   double error_of(const Island& island, double time);
   // The plastic impact that makes new joints and taut strings hold; the energy in J that it takes. A string

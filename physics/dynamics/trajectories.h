@@ -83,6 +83,11 @@ class Trajectories {
   }
   // m/s², m/s², rad/s²: of a movable body at the start of its trajectory.
   [[nodiscard]] Eigen::Vector3d acceleration(BodyIndex body) { return flights_.acceleration(body); }
+  // Likewise of an island's bodies that forces move, if they were in this state at `time`, by the springs,
+  // strings and contacts that act now; into their columns of `by`. No motion changes.
+  void accelerations(int island, const State& state, double time, Eigen::Matrix3Xd& by) {
+    flights_.accelerations(flights_.islands[island], state, time, by);
+  }
   // Sets the bounds for a search on an island's trajectory: curvature_bound(body) in m/s² bounds the
   // acceleration of the centre, turn_bound(body) in rad/s² bounds ω² + |α|.
   void bound_curvature(int island);

@@ -76,6 +76,16 @@ const std::vector<ImpactRecord>& Simulation::last_impacts() const { return parts
 const std::vector<Jump>& Simulation::last_jumps() const { return parts_->world.log.jumps; }
 void Simulation::watch_impacts(bool on) { parts_->world.log.records_jumps = on; }
 
+Eigen::Matrix3Xd Simulation::accelerations(const State& state, double time, BodyIndex of) const {
+  Trajectories& trajectories = parts_->world.trajectories;
+  Eigen::Matrix3Xd by = Eigen::Matrix3Xd::Zero(3, state.size());
+  for (int k = 0; k < trajectories.islands(); ++k) {
+    if (of == kNoBody || trajectories.island_of(of) == k)
+      trajectories.accelerations(k, state, time - trajectories.epoch(), by);
+  }
+  return by;
+}
+
 // Chooses the strategies of the method, without any memory.
 void Simulation::choose_strategies() {
   if (parts_->world.method.impacts == ImpactsId::kLocated) {

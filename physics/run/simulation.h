@@ -118,6 +118,9 @@ class Simulation {
   // notices_text(), and why the run can't continue.
   [[nodiscard]] std::string status() const;
   [[nodiscard]] Totals totals() const;
+  // m/s², m/s², rad/s²: by body, if they were in this state at this moment (s), by the springs, strings and
+  // contacts that act now. Zero for bodies that forces don't move; of one body it leaves out others, too.
+  [[nodiscard]] Eigen::Matrix3Xd accelerations(const State& state, double time, BodyIndex of = kNoBody) const;
   [[nodiscard]] Totals totals_of(const State& state) const { return carom::totals(state, mass(), field()); }
   // With the work of the smooth forces up to now.
   [[nodiscard]] Ledger ledger() const;

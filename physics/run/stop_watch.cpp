@@ -53,10 +53,29 @@ double value_of(const Stop& stop, BodyIndex body, const State& state, const Mass
   return state.velocity(body).norm();
 }
 
-// The same a second; NaN where accelerations would be needed.
-double rate_of(const Stop& stop, BodyIndex body, const State& state) {
-  const bool known = stop.kind == StopKind::kPassing && stop.quantity != StopQuantity::kSpeed;
-  return known ? state.v.col(body)[row_of(stop.quantity)] : std::numeric_limits<double>::quiet_NaN();
+// Of what turns smoothly: the square of a speed, with its sign.
+double smooth(const Stop& stop, double value) {
+  const bool speed = stop.kind == StopKind::kPassing && stop.quantity == StopQuantity::kSpeed;
+  return speed ? value * std::abs(value) : value;
+}
+
+// W: by the forces.
+double power(const State& state, const MassProperties& mass, const Eigen::Matrix3Xd& accelerations) {
+  double power = 0.0;
+  for (int i = 0; i < state.size(); ++i) {
+    if (!(mass.inverse_mass[i] > 0.0)) continue;
+    const auto v = state.v.col(i);
+    const auto a = accelerations.col(i);
+    power += mass.mass[i] * v.head<2>().dot(a.head<2>()) + mass.inertia[i] * v[2] * a[2];
+  }
+  return power;
+}
+
+// Of the smooth value, a second.
+double rate_of(const Stop& stop, BodyIndex body, const Simulation& run, const State& state, double time) {
+  if (stop.kind == StopKind::kKineticEnergy) return power(state, run.mass(), run.accelerations(state, time));
+  if (stop.quantity != StopQuantity::kSpeed) return state.v.col(body)[row_of(stop.quantity)];
+  return 2.0 * state.velocity(body).dot(run.accelerations(state, time, body).col(body).head<2>());
 }
 
 double bound_of(const Stop& stop) { return stop.kind == StopKind::kPassing ? stop.value : stop.below; }
@@ -114,7 +133,7 @@ void StopWatch::begin(const Simulation& run, double h) {
   length_ = h;
   looks_.assign(watched_.size(), {});
   for (std::size_t i = 0; i < watched_.size(); ++i) {
-    if (is_there(watched_[i])) looks_[i] = look(watched_[i], run.state(), run.mass(), 0.0);
+    if (is_there(watched_[i])) looks_[i] = look(watched_[i], run, run.state(), 0.0);
   }
   rests_ = at_rest(run);
   again_.begins(run, h);
@@ -226,14 +245,15 @@ void StopWatch::add_impacts(std::size_t index, const Simulation& run, std::vecto
   }
 }
 
-StopWatch::Look StopWatch::look(const Watched& watched, const State& state, const MassProperties& mass,
-                                double after) {
-  return {after, value_of(watched.stop, watched.body, state, mass), rate_of(watched.stop, watched.body, state)};
+StopWatch::Look StopWatch::look(const Watched& watched, const Simulation& run, const State& state,
+                                double after) const {
+  return {after, value_of(watched.stop, watched.body, state, run.mass()),
+          rate_of(watched.stop, watched.body, run, state, start_ + after)};
 }
 
 StopWatch::Look StopWatch::look_at(const Watched& watched, double after) {
   const Simulation part = again_.made(after);
-  return look(watched, part.state(), part.mass(), after);
+  return look(watched, part, part.state(), after);
 }
 
 void StopWatch::add_passings(std::size_t index, const Simulation& run, std::vector<Coming>& coming) {
@@ -245,10 +265,10 @@ void StopWatch::add_passings(std::size_t index, const Simulation& run, std::vect
     looks.push_back(next);
   };
   for (const Jump& jump : run.last_jumps()) {
-    add(look(watched, jump.before, run.mass(), jump.time - start_));
-    looks.push_back(look(watched, jump.after, run.mass(), jump.time - start_));
+    add(look(watched, run, jump.before, jump.time - start_));
+    looks.push_back(look(watched, run, jump.after, jump.time - start_));
   }
-  add(look(watched, run.state(), run.mass(), length_));
+  add(look(watched, run, run.state(), length_));
   for (std::size_t i = 1; i < looks.size(); ++i) {
     const double sign = sign_of(watched.stop, looks[i - 1].value);
     if (sign * (looks[i].value - bound_of(watched.stop)) < 0.0 || sign == 0.0) continue;
@@ -258,12 +278,13 @@ void StopWatch::add_passings(std::size_t index, const Simulation& run, std::vect
 
 // Where the value turns back, if its tangents lead beyond its bound.
 std::optional<StopWatch::Look> StopWatch::turn_between(const Watched& watched, const Look& a, const Look& b) {
-  const double bound = bound_of(watched.stop);
-  const double towards = a.value < bound ? 1.0 : -1.0;
+  const double towards = a.value < bound_of(watched.stop) ? 1.0 : -1.0;
   const double span = b.after - a.after;
-  const bool turns = towards * a.rate > 0.0 && towards * b.rate < 0.0 && towards * (b.value - bound) < 0.0 &&
-                     towards * (a.value + a.rate * span - bound) > 0.0 &&
-                     towards * (b.value - b.rate * span - bound) > 0.0;
+  const auto beyond = [&](double value, double change) {
+    return towards * (smooth(watched.stop, value) + change - smooth(watched.stop, bound_of(watched.stop)));
+  };
+  const bool turns = towards * a.rate > 0.0 && towards * b.rate < 0.0 && beyond(b.value, 0.0) < 0.0 &&
+                     beyond(a.value, a.rate * span) > 0.0 && beyond(b.value, -b.rate * span) > 0.0;
   if (!turns) return std::nullopt;
   const auto rate = [&](double after) { return towards * look_at(watched, after).rate; };
   return look_at(watched, bracketed_root(rate, a.after, towards * a.rate, b.after, towards * b.rate));

@@ -23,8 +23,8 @@ namespace carom {
 // impacts at the step's end it is the step's end.
 //
 // What passes or falls is looked at at the ends of steps and on both sides of the impacts whose jumps are
-// recorded (see ImpactLog), a place or an angle also where it turns back in between. What begins at its value
-// has not come there. Impacts are counted from where the watch begins, those that are logged.
+// recorded (see ImpactLog), and where it turns back once in between. What begins at its value has not come
+// there. Impacts are counted from where the watch begins, those that are logged.
 //
 // All is at rest when no body that forces move is faster than kRestSpeed (physics/step/pair_motion.h), at its
 // centre and rim together, and stays so for kRestLasts. A run that begins at rest has not come to rest.
@@ -72,7 +72,7 @@ class StopWatch {
   struct Look {
     double after = 0.0;  // s since the step's start
     double value = 0.0;
-    double rate = 0.0;  // a second; NaN: not known
+    double rate = 0.0;  // a second; of a speed that of its square, which turns smoothly where it is zero
   };
   // A stop in the step under way.
   struct Coming {
@@ -110,8 +110,9 @@ class StopWatch {
                                   const MassProperties& mass);
   [[nodiscard]] static std::int64_t impacts_of(const Watched& watched, const Simulation& run);
   static void count_impacts(Watched& watched, const Simulation& run);
-  [[nodiscard]] static Look look(const Watched& watched, const State& state, const MassProperties& mass,
-                                 double after);
+  // In a state of the run in the step under way.
+  [[nodiscard]] Look look(const Watched& watched, const Simulation& run, const State& state,
+                          double after) const;
 
   std::vector<Watched> watched_;
   std::shared_ptr<const Model> model_;  // of the indices

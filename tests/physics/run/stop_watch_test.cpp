@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/math/roots.h"
 #include "physics/step/coming_to_rest.h"
 #include "physics/step/pair_motion.h"
 #include "tests/support/fitted_order.h"
@@ -169,6 +170,61 @@ TEST(StopWatch, PassesWithinAStep) {
               2.0 * fall - std::sqrt(1.8 / kG), 1e-13);
 }
 
+// v² = vx² + (vy - g t)² turns back at its least within a step.
+TEST(StopWatch, ASpeedTurnsWithinAStep) {
+  for (const double across : {0.0, 0.7}) {
+    RunSetup setup = setup_with({disc("A", {0.0, 0.0}, {across, 3.0})});
+    setup.scene.forces.gravity = {0.0, -kG};
+    const double speed = across + 0.01;
+    const double off = std::sqrt(speed * speed - across * across) / kG;  // s, from the top
+    const double top = 3.0 / kG;
+    const double k = 0.5 * speed * speed;
+    for (const double step : {2.0 * top / 3.0, 2.0 * top / 31.0}) {
+      SCOPED_TRACE(fmt::format("across {}, step {}", across, step));
+      const auto moment = [&](const std::string& sentence) {
+        const End end = end_of(with_step(setup, step), {sentence}, 1.0);
+        return end.stop ? end.run.time() : -1.0;
+      };
+      EXPECT_NEAR(moment(fmt::format("when A passes speed = {} m/s downwards", speed)), top - off, 1e-12);
+      EXPECT_NEAR(moment(fmt::format("when A passes speed = {} m/s", speed)), top - off, 1e-12);
+      EXPECT_NEAR(moment(fmt::format("when A passes speed = {} m/s upwards", speed)), top + off, 1e-12);
+      EXPECT_NEAR(moment(fmt::format("when K falls below {} J", k)), top - off, 1e-12);
+      if (across > 0.0) {
+        EXPECT_EQ(moment(fmt::format("when A passes speed = {} m/s", across - 1e-9)), -1.0);
+      }
+    }
+  }
+}
+
+// With 2 (K of both) = 0.13 + (3 - g t)² + (3.5 - g t)², which is 0.26 at g t = 3.2.
+TEST(StopWatch, TheEnergyOfSeveralBodiesTurnsWithinAStep) {
+  RunSetup setup = setup_with({disc("A", {0.0, 0.0}, {0.3, 3.0}), disc("B", {3.0, 0.0}, {-0.2, 3.5}),
+                               wall("wall", {0.0, 9.0}, 1.0, 1.0)});
+  setup.scene.forces.gravity = {0.0, -kG};
+  const End end = end_of(with_step(setup, 2.0 * 3.25 / kG / 7.0), {"when K falls below 0.13 J"}, 1.0);
+  ASSERT_EQ(end.stop, 0U);
+  EXPECT_NEAR(end.run.time(), 3.2 / kG, 1e-12);
+}
+
+// Bounces turn the speed, too, at a corner that is not below it or above it.
+TEST(StopWatch, AnImpactIsNoTurn) {
+  const double fall = std::sqrt(2.0 / kG);
+  const double fastest = kG * fall;
+  for (const double step : {0.3, 0.04, 0.005}) {
+    SCOPED_TRACE(step);
+    const auto moment = [&](double restitution, const std::string& sentence) {
+      const End end = end_of(with_step(dropped(1.0, restitution), step), {sentence}, 1.2);
+      return end.stop ? end.run.time() : -1.0;
+    };
+    EXPECT_NEAR(moment(0.8, "when K falls below 0.0001 J"), 1.8 * fall - std::sqrt(2e-4) / kG, 1e-12);
+    EXPECT_NEAR(moment(0.8, "when ball passes speed = 0.02 m/s downwards"), 1.8 * fall - 0.02 / kG, 1e-12);
+    const std::string nearly = fmt::format("when ball passes speed = {} m/s", fastest - 0.01);
+    EXPECT_NEAR(moment(1.0, nearly + " upwards"), fall - 0.01 / kG, 1e-12);
+    EXPECT_NEAR(moment(1.0, nearly + " downwards"), fall + 0.01 / kG, 1e-12);
+    EXPECT_EQ(moment(1.0, fmt::format("when ball passes speed = {} m/s", fastest + 1e-6)), -1.0);
+  }
+}
+
 TEST(StopWatch, PassesAnAngle) {
   RunSetup setup = setup_with({disc("A", {0.0, 0.0}, {0.0, 0.0})});
   setup.scene.bodies[0].spin = -2.5;
@@ -207,6 +263,41 @@ TEST(StopWatch, KineticEnergyFallsWithTheOrderOfTheMethod) {
     EXPECT_NEAR(order_of(setup, integrator, "when all is at rest", rest), order, 0.25);
 }
 
+// Thrown up, v = (v₀ + g/b) exp(-b t) - g/b: it turns back within a step.
+TEST(StopWatch, ASpeedTurnsWithTheOrderOfTheMethod) {
+  RunSetup setup = setup_with({disc("A", {0.0, 0.0}, {0.0, 3.0})});
+  setup.scene.forces.gravity = {0.0, -kG};
+  setup.scene.forces.linear_drag = 2.0;
+  const double exact = std::log((3.0 + kG / 2.0) / (0.005 + kG / 2.0)) / 2.0;
+  for (const auto& [integrator, order] : kOrders) {
+    EXPECT_NEAR(order_of(setup, integrator, "when A passes speed = 0.005 m/s downwards", exact), order, 0.4)
+        << static_cast<int>(integrator);
+    EXPECT_NEAR(order_of(setup, integrator, "when K falls below 0.0000125 J", exact), order, 0.4)
+        << static_cast<int>(integrator);
+  }
+}
+
+// Two bodies on a spring under linear drag b: with γ = b/2m and Ω² = 2 k/m - γ² their speed is
+// exp(-γ t) (cos Ω t - γ/Ω sin Ω t) m/s, which turns at nothing.
+TEST(StopWatch, TheEnergyOfASpringTurnsWithTheOrderOfTheMethod) {
+  RunSetup setup = setup_with({disc("A", {-1.0, 0.0}, {-1.0, 0.0}), disc("B", {1.0, 0.0}, {1.0, 0.0})});
+  Spring spring;
+  spring.body = "A";
+  spring.to = "B";
+  spring.stiffness = 12.5;
+  spring.rest_length = 2.0;
+  setup.scene.forces.springs = {spring};
+  setup.scene.forces.linear_drag = 6.0;
+  const auto above = [](double t) {
+    return std::exp(-3.0 * t) * (std::cos(4.0 * t) - 0.75 * std::sin(4.0 * t)) - std::sqrt(1e-5);
+  };
+  const double exact = bracketed_root(above, 0.0, above(0.0), 0.4, above(0.4));
+  for (const auto& [integrator, order] : kOrders) {
+    EXPECT_NEAR(order_of(setup, integrator, "when K falls below 0.00001 J", exact), order, 0.4)
+        << static_cast<int>(integrator);
+  }
+}
+
 // A plate hung at its upper end, let go at 1 rad. With k = sin ½ and ω of small swings it comes to the angle θ
 // after (K(k) − F(k, φ))/ω, where sin φ = sin(θ/2)/k.
 TEST(StopWatch, PendulumPassesAnAngleWithTheOrderOfTheMethod) {
@@ -228,6 +319,14 @@ TEST(StopWatch, PendulumPassesAnAngleWithTheOrderOfTheMethod) {
   for (const auto& [integrator, order] : kOrders) {
     const double found = order_of(setup, integrator, "when plate passes angle = 0.5 rad", exact);
     EXPECT_NEAR(found, order, 0.4) << static_cast<int>(integrator);
+  }
+  // It swings to the other side; on the way K = m g l (cos θ - cos 1). Half a swing is symmetric, which gives
+  // methods of odd order one more.
+  const double back = std::asin(std::sin(0.5 * std::acos(std::cos(1.0) + 1e-4 / (0.5 * kG))) / k);
+  const double other_side = (std::comp_ellint_1(k) + std::ellint_1(k, back)) / std::sqrt(kG * 0.5 / inertia);
+  for (const auto& [integrator, order] : kOrders) {
+    const double found = order_of(setup, integrator, "when K falls below 0.0001 J", other_side);
+    EXPECT_GT(found, order - 0.4) << static_cast<int>(integrator);
   }
 }
 
