@@ -22,9 +22,11 @@ std::size_t count_until(const Ring<ImpactRecord>& impacts, double time) {
 
 std::optional<double> impact_after(const Recorder& recorder, double time) {
   const Ring<ImpactRecord>& impacts = recorder.impacts();
-  const std::size_t next = count_until(impacts, time);
-  if (next == impacts.size()) return std::nullopt;
-  return impacts[next].time;
+  if (const std::size_t next = count_until(impacts, time); next > 0) {
+    return next == impacts.size() ? std::nullopt : std::optional(impacts[next].time);
+  }
+  const SeriesPoint<1>* first = recorder.impulses().known_after(time);
+  return first == nullptr ? std::nullopt : std::optional(first->at);
 }
 
 std::optional<double> impact_until(const Recorder& recorder, double time) {

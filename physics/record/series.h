@@ -169,6 +169,21 @@ class Series {
     const std::size_t next = points_.upper_bound(time);
     return next == points_.size() ? nullptr : &points_[next];
   }
+  // The oldest known point after `time`; nullptr if there is none. It is certain that no other point came
+  // before it only from whole_since() on.
+  [[nodiscard]] const Point* known_after(double time) const {
+    const Point* oldest = after(time);
+    for (const Level& level : levels_) {
+      const std::size_t next = level.closed.upper_bound(time);
+      for (std::size_t i = next > 0 ? next - 1 : next; i < level.closed.size() && i <= next; ++i) {
+        const Bucket& bucket = level.closed[i];
+        const auto found =
+            std::find_if(bucket.begin(), bucket.end(), [&](const Point& p) { return p.at > time; });
+        if (found != bucket.end() && (oldest == nullptr || found->at < oldest->at)) oldest = &*found;
+      }
+    }
+    return oldest;
+  }
   // Bytes used by the records.
   [[nodiscard]] std::size_t memory() const {
     std::size_t sum = points_.size() * sizeof(Point);
