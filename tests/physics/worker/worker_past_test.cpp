@@ -29,17 +29,26 @@ Preset gas() {
 const Body kBody = disc("new", {0.0, -0.3}, {1.0, 1.0}, 0.05);
 const Method kOther{.integrator = IntegratorId::kVelocityVerlet, .step = 0.002};
 
+// That pulls kBody to this place (m).
+Hand hand_at(const Vec2& place) {
+  return {.body = kBody.name, .place = place, .stiffness = 150.0, .damping = 15.0};
+}
+
 using Frames = std::vector<std::shared_ptr<const Frame>>;
 
 bool same_moment(const Frame& a, const Frame& b) {
   const auto same_contact = [](const ContactForce& x, const ContactForce& y) {
     return x.normal_force == y.normal_force && x.tangential_force == y.tangential_force;
   };
+  const auto same_hand = [](const HandState& x, const HandState& y) {
+    return x.grip == y.grip && x.place == y.place && x.force == y.force;
+  };
   return a.run == b.run && a.steps == b.steps && a.time == b.time && a.impact_count == b.impact_count &&
          a.evaluations == b.evaluations && a.method == b.method && test::same_bytes(a.state, b.state) &&
          a.totals.kinetic() == b.totals.kinetic() && a.bodies->size() == b.bodies->size() &&
          std::equal(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end(), same_contact) &&
          a.ledger.lost_to_restitution == b.ledger.lost_to_restitution &&
+         a.hand.has_value() == b.hand.has_value() && (!a.hand || same_hand(*a.hand, *b.hand)) &&
          a.error.has_value() == b.error.has_value() && (!a.error || a.error->position == b.error->position);
 }
 
@@ -64,17 +73,29 @@ class WorkerPast : public testing::Test {
       recorded_.push_back(newest_at(recorded_.back().front()->steps + 1));
     }
   }
-  // Three tenths of a second, with a body that comes in and a method that changes.
+  // Three tenths of a second, with a body that comes in, a hand that pulls it here, then there, a method that
+  // changes meanwhile, and the hand that lets it go.
   void record_run() {
     worker_.set_reference(ReferenceId::kExactFlight);
     recorded_ = {start_beside_reference()};
     record_steps(30);
     worker_.edit_scene({Add<Body>{kBody}});
     recorded_.back() = newest_at_edit(1);
-    record_steps(25);
-    worker_.set_method(kOther);
+    record_steps(10);
+    worker_.edit_scene({SetHand{hand_at({0.1, 0.2})}});
     recorded_.back() = newest_at_edit(2);
-    record_steps(40);
+    record_steps(5);
+    worker_.edit_scene({SetHand{hand_at({-0.2, 0.1})}});
+    recorded_.back() = newest_at_edit(3);
+    record_steps(10);
+    worker_.set_method(kOther);
+    recorded_.back() = newest_at_edit(4);
+    record_steps(20);
+    EXPECT_TRUE(recorded_.back().front()->hand.has_value());
+    worker_.edit_scene({SetHand{}});
+    recorded_.back() = newest_at_edit(5);
+    EXPECT_FALSE(recorded_.back().front()->hand.has_value());
+    record_steps(20);
   }
   [[nodiscard]] Frames start_beside_reference() {
     Frames frames;
