@@ -356,7 +356,9 @@ TEST(StopWatch, AllComesToRest) {
     bounces.method.contacts = contacts;
     const End end = end_of(bounces, {"when all is at rest"}, 3.0);
     ASSERT_EQ(end.stop, 0U) << static_cast<int>(contacts);
-    EXPECT_NEAR(end.run.time(), fall * (1.0 + 2.0), 2.0 * bounces.method.step);  // Σ 2 eⁿ = 2
+    // Under lasting contacts it rests as soon as contact forces take over its bounces, which are left out.
+    const double within = contacts == ContactsId::kImpulse ? 2e-6 : 2.0 * bounces.method.step;
+    EXPECT_NEAR(end.run.time(), fall * (1.0 + 2.0), within) << static_cast<int>(contacts);  // Σ 2 eⁿ = 2
   }
 }
 
