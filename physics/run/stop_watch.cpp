@@ -260,15 +260,16 @@ void StopWatch::add_passings(std::size_t index, const Simulation& run, std::vect
   const Watched& watched = watched_[index];
   if (!is_there(watched)) return;
   std::vector<Look> looks{looks_[index]};
-  const auto add = [&](const Look& next) {
-    if (const auto turn = turn_between(watched, looks.back(), next)) looks.push_back(*turn);
+  const auto add = [&](const State& state, double after) {
+    const Look next{after, value_of(watched.stop, watched.body, state, run.mass())};
+    if (const auto turn = turn_between(watched, looks.back(), next, run, state)) looks.push_back(*turn);
     looks.push_back(next);
   };
   for (const Jump& jump : run.last_jumps()) {
-    add(look(watched, run, jump.before, jump.time - start_));
+    add(jump.before, jump.time - start_);
     looks.push_back(look(watched, run, jump.after, jump.time - start_));
   }
-  add(look(watched, run, run.state(), length_));
+  add(run.state(), length_);
   for (std::size_t i = 1; i < looks.size(); ++i) {
     const double sign = sign_of(watched.stop, looks[i - 1].value);
     if (sign * (looks[i].value - bound_of(watched.stop)) < 0.0 || sign == 0.0) continue;
@@ -277,17 +278,20 @@ void StopWatch::add_passings(std::size_t index, const Simulation& run, std::vect
 }
 
 // Where the value turns back, if its tangents lead beyond its bound.
-std::optional<StopWatch::Look> StopWatch::turn_between(const Watched& watched, const Look& a, const Look& b) {
+std::optional<StopWatch::Look> StopWatch::turn_between(const Watched& watched, const Look& a, const Look& b,
+                                                       const Simulation& run, const State& state) {
   const double towards = a.value < bound_of(watched.stop) ? 1.0 : -1.0;
   const double span = b.after - a.after;
   const auto beyond = [&](double value, double change) {
     return towards * (smooth(watched.stop, value) + change - smooth(watched.stop, bound_of(watched.stop)));
   };
-  const bool turns = towards * a.rate > 0.0 && towards * b.rate < 0.0 && beyond(b.value, 0.0) < 0.0 &&
-                     beyond(a.value, a.rate * span) > 0.0 && beyond(b.value, -b.rate * span) > 0.0;
-  if (!turns) return std::nullopt;
+  const bool may_turn =
+      towards * a.rate > 0.0 && beyond(b.value, 0.0) < 0.0 && beyond(a.value, a.rate * span) > 0.0;
+  if (!may_turn) return std::nullopt;
+  const double then = rate_of(watched.stop, watched.body, run, state, start_ + b.after);
+  if (!(towards * then < 0.0 && beyond(b.value, -then * span) > 0.0)) return std::nullopt;
   const auto rate = [&](double after) { return towards * look_at(watched, after).rate; };
-  return look_at(watched, bracketed_root(rate, a.after, towards * a.rate, b.after, towards * b.rate));
+  return look_at(watched, bracketed_root(rate, a.after, towards * a.rate, b.after, towards * then));
 }
 
 // s after the step's start: when the value comes to its bound, which lies between two looks.

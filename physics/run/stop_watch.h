@@ -94,7 +94,9 @@ class StopWatch {
   [[nodiscard]] bool lies_within(const Coming& coming) const {
     return coming.after < (1.0 - kSameMoment) * length_;
   }
-  [[nodiscard]] std::optional<Look> turn_between(const Watched& watched, const Look& a, const Look& b);
+  // The rate of `b`, of this state of the run, is taken only where the value may have turned.
+  [[nodiscard]] std::optional<Look> turn_between(const Watched& watched, const Look& a, const Look& b,
+                                                 const Simulation& run, const State& state);
   [[nodiscard]] double moment_between(const Watched& watched, const Look& a, const Look& b);
   [[nodiscard]] Look look_at(const Watched& watched, double after);
   [[nodiscard]] std::optional<double> rest_in(const Simulation& run);
