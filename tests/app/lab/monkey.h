@@ -100,6 +100,10 @@ class Monkey : public QObject {
   void fold();
   void scrub();
   void new_scene();
+  void wait();
+  void pull();
+  void stop();
+  void start();
 
   Options options_;
   std::mt19937 random_;

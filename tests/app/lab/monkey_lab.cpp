@@ -1,4 +1,7 @@
 #include <QApplication>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QMenu>
 #include <QTableView>
 #include <QTest>
 #include <algorithm>
@@ -9,6 +12,7 @@
 #include "monkey.h"
 #include "widgets/edit/bodies_sheet.h"
 #include "widgets/edit/value_slider.h"
+#include "widgets/run/stop_editor.h"
 #include "widgets/run/timeline.h"
 #include "widgets/scene/scene_view.h"
 
@@ -162,6 +166,100 @@ void Monkey::scrub() {
   Timeline& timeline = *window_->findChild<Timeline*>();
   const int y = timeline.height() / 2;
   drag_in(timeline, {from % std::max(timeline.width(), 1), y}, {to % std::max(timeline.width(), 1), y});
+}
+
+// Some frames.
+void Monkey::wait() {
+  QElapsedTimer clock;
+  clock.start();
+  const int ms = 20 + below(100);
+  while (clock.elapsed() < ms) QApplication::processEvents(QEventLoop::AllEvents, 5);
+}
+
+// By the hand, on a run that mostly plays, for so long that it acts.
+void Monkey::pull() {
+  const bool plays = !once_in(4);
+  const int chosen = below(1 << 20);
+  if (window_ == nullptr || !answers() || window_->frame() == nullptr) return;
+  SceneView& view = window_->scene_view();
+  view.set_tool(SceneTool::kSelect, false);
+  if (plays) window_->session().starts().set_playing(true);
+  const QPointer<QWindow> window = window_->windowHandle();
+  QPoint to = view.mapTo(window_.get(), near_body());
+  timestamp_ += 2000;
+  wait();
+  const std::shared_ptr<const Frame> frame = window_->frame();
+  std::vector<int> moved;
+  for (int i = 0; i < frame->state.size(); ++i) {
+    if (!has_infinite_mass((*frame->bodies)[static_cast<std::size_t>(i)])) moved.push_back(i);
+  }
+  if (moved.empty()) return;
+  const int body = moved[static_cast<std::size_t>(chosen) % moved.size()];
+  const QPoint from = view.mapTo(window_.get(), view.camera().to_screen(frame->state.position(body)).toPoint());
+  mouse(window, from, Qt::NoButton, QEvent::MouseMove, Qt::NoModifier);
+  mouse(window, from, Qt::LeftButton, QEvent::MouseButtonPress, Qt::NoModifier);
+  wait();
+  for (int moves = 1 + below(3); moves > 0 && window != nullptr; --moves, to = from + (to - from) / 2) {
+    mouse(window, to, Qt::NoButton, QEvent::MouseMove, Qt::NoModifier);
+    wait();
+  }
+  if (window != nullptr) mouse(window, to, Qt::LeftButton, QEvent::MouseButtonRelease, Qt::NoModifier);
+}
+
+// Types a sentence that is true of the scene into the editor of stops, and adds it.
+void Monkey::stop() {
+  const int chosen = below(1 << 20);
+  const double value = 0.01 * (1 + below(200));
+  const int which = below(8);
+  if (window_ == nullptr || !answers()) return;
+  const auto& bodies = window_->session().document().scene.bodies;
+  if (bodies.empty()) return;
+  const auto name =
+      QString::fromStdString(bodies[static_cast<std::size_t>(chosen) % bodies.size()].name).prepend('"') + '"';
+  const QStringList sentences = {QString("at %1 s").arg(value),
+                                 "at the 2nd impact",
+                                 "at every impact with a wall",
+                                 "at every impact of " + name,
+                                 QString("when %1 passes x = %2 m").arg(name).arg(value - 1.0),
+                                 QString("when %1 passes speed = %2 m/s downwards").arg(name).arg(value),
+                                 "when all is at rest",
+                                 QString("when K falls below %1 J").arg(value)};
+  report(sentences[which]);
+  for (QAction* action : window_->findChildren<QAction*>()) {
+    if (action->shortcut() == QKeySequence(Qt::Key_H)) action->trigger();
+  }
+  auto* editor = window_->findChild<StopEditor*>();
+  if (!editor->isVisible()) return;
+  for (auto* field : editor->findChildren<QLineEdit*>()) {
+    if (field->accessibleName() != "Sentence of the stop") continue;
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, sentences[which]);
+    QTest::keyClick(field, Qt::Key_Return);
+  }
+  editor->close();
+}
+
+// Chooses one of the list of starts.
+void Monkey::start() {
+  const int chosen = below(1 << 20);
+  if (window_ == nullptr || !answers()) return;
+  for (auto* menu : window_->findChildren<QMenu*>()) {
+    if (menu->title() != "S&tarts") continue;
+    menu->popup(window_->mapToGlobal(window_->rect().center()));
+    const QList<QAction*> all = menu->actions();
+    if (all.isEmpty()) return;
+    QAction* start = all[chosen % all.size()];
+    report("“" + start->text() + "”");
+    const QPoint at = menu->actionGeometry(start).center();
+    const QPointer<QWindow> window = menu->windowHandle();
+    timestamp_ += 2000;
+    for (const QEvent::Type type : {QEvent::MouseMove, QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+      if (window == nullptr) return;
+      mouse(window, at, type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, type, Qt::NoModifier);
+    }
+    return;
+  }
 }
 
 void Monkey::new_scene() {
