@@ -1,6 +1,8 @@
 #include "app/lab/session_starts.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <utility>
 
 #include "app/lab/refusal_text.h"
@@ -19,16 +21,45 @@ QString name_of(const Start& start) {
              : SessionStarts::tr("%1, edited").arg(name);
 }
 
-// A start that was left again since stands once, as it was left.
-void add_known(std::vector<SessionStarts::Known>& known, const SessionStarts::Known& start) {
-  const auto same = std::find_if(known.begin(), known.end(),
-                                 [&](const SessionStarts::Known& each) { return each.name == start.name; });
-  if (same == known.end()) {
-    known.push_back(start);
-  } else {
-    same->start = start.start;
+// Starts in the order in which they were left, each once: one that was left again has its newest name.
+class StartList {
+ public:
+  explicit StartList(const std::shared_ptr<const Start>& first) { add(name_of(*first), first); }
+
+  void add(const QString& name, const std::shared_ptr<const Start>& start) {
+    SessionStarts::Known& known = place_of(name, *start);
+    if (known.name == name) known.start = start;
   }
-}
+  void add_present(const Start& start) { place_of(name_of(start), start).start = nullptr; }
+
+  // Of equal names the later ones have numbers: "(2)".
+  [[nodiscard]] std::vector<SessionStarts::Known> numbered() const {
+    std::vector<SessionStarts::Known> all = starts_;
+    std::map<QString, int> times;
+    for (SessionStarts::Known& each : all) {
+      const int time = ++times[each.name];
+      if (time > 1) each.name = SessionStarts::tr("%1 (%2)").arg(each.name).arg(time);
+    }
+    return all;
+  }
+
+ private:
+  // The first one keeps its name.
+  SessionStarts::Known& place_of(const QString& name, const Start& start) {
+    const std::uint64_t begin = fingerprint_of_start(start.scene, start.saved, start.late);
+    const auto same = std::find(begins_.begin(), begins_.end(), begin);
+    if (same == begins_.end()) {
+      begins_.push_back(begin);
+      return starts_.emplace_back(SessionStarts::Known{name, nullptr});
+    }
+    SessionStarts::Known& known = starts_[static_cast<std::size_t>(same - begins_.begin())];
+    if (same != begins_.begin()) known.name = name;
+    return known;
+  }
+
+  std::vector<SessionStarts::Known> starts_;
+  std::vector<std::uint64_t> begins_;  // their fingerprints
+};
 
 }  // namespace
 
@@ -68,18 +99,13 @@ void SessionStarts::restart() {
 }
 
 std::vector<SessionStarts::Known> SessionStarts::known() const {
-  std::vector<Known> known = {{name_of(*first_), first_}};
-  for (const Known& each : recovered_) add_known(known, each);
+  StartList all(first_);
+  for (const Known& each : recovered_) all.add(each.name, each.start);
   for (int i = 0; i < history_.stack().index(); ++i) {
-    if (const auto& left = history_.edit_at(i).what().leaves) add_known(known, {name_of(*left), left});
+    if (const auto& left = history_.edit_at(i).what().leaves) all.add(name_of(*left), left);
   }
-  const Start now = start_of(history_.document());
-  if (begin_alike(now, *first_)) {
-    known.front().start = nullptr;
-  } else {
-    add_known(known, {name_of(now), nullptr});
-  }
-  return known;
+  all.add_present(start_of(history_.document()));
+  return all.numbered();
 }
 
 KeptStarts SessionStarts::kept() const {

@@ -185,6 +185,35 @@ TEST_F(SessionStartsTest, AllStartsAreListedByName) {
   EXPECT_EQ(names().size(), 2U) << "a start that is taken back is no start";
 }
 
+// They are other starts, though the same edit made them at the same moment.
+TEST_F(SessionStartsTest, StartsOfOneNameAreAllListedAndNumbered) {
+  std::vector<std::string> made;
+  for (int round = 0; round < 3; ++round) {
+    session_.starts().go_to_first();
+    settle();
+    run_to(0.4);
+    Body body = now("disc 2");
+    body.position.y() += 0.001 * (round + 1);
+    edit(Replace<Body>{body}, "Move disc 2");
+    ASSERT_EQ(refused_, "");
+    made.push_back(document());
+  }
+  const QString name = "from 0.400 s: Move disc 2";
+  const std::vector<QString> all = {"as opened", name, name + " (2)", name + " (3)!"};
+  EXPECT_EQ(names(), all);
+  go_to(1);
+  EXPECT_EQ(document(), made[0]);
+  EXPECT_EQ(names()[1], name + "!");
+  go_to(2);
+  EXPECT_EQ(document(), made[1]);
+  go_to(3);
+  EXPECT_EQ(document(), made[2]);
+  const QByteArray text = written_starts(session_.starts().kept());
+  open(parse_preset(document(), "last"));
+  session_.starts().recover(read_starts(text));
+  EXPECT_EQ(names(), all) << "a crash recovers them all";
+}
+
 // What was changed of it afterwards belongs to it.
 TEST_F(SessionStartsTest, AStartIsListedAsItWasLeft) {
   give_mass("disc 1", 3.0);
