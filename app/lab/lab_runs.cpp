@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "physics/preset/start_fingerprint.h"
+
 namespace carom {
 namespace {
 
@@ -187,6 +189,7 @@ void LabRuns::load(const std::vector<Curve>& curves) {
   recorders_.clear();
   left_.clear();
   before_.reset();
+  before_left_.reset();
   replayed_.reset();
   curves_ = curves;
   begins_ = true;
@@ -210,6 +213,10 @@ void LabRuns::begin() {
   begins_ = true;
   replayed_.reset();
   will_begin_ = false;
+  // A start that was not edited since leaves what was pale beside its run.
+  if (before_left_ && before_ && before_->begin == fingerprint_of_start(document_.preset))
+    before_ = before_left_;
+  before_left_.reset();
   worker_.start_from(document_.preset, curves_, document_.reference);
 }
 
@@ -225,11 +232,18 @@ Worker::EditId LabRuns::keep(Worker::EditId again) {
   left->second.returned = false;
   left->second.recorders = recorders_;
   left->second.before = before_;
-  if (have_begun()) before_ = as_before();
+  if (have_begun()) leave_run();
   for (auto& recorder : recorders_) recorder = std::make_shared<Recorder>();
   if (std::distance(left_.begin(), left) >= RunGroup::kMostKept)
     std::prev(left, RunGroup::kMostKept)->second.keep_picture();
   return edit;
+}
+
+void LabRuns::leave_run() {
+  RunBefore left = as_before();
+  const bool same_method = frames_.front()->setup->method == document_.preset.method;
+  before_left_ = same_method && before_ && before_->begin != left.begin ? before_ : std::nullopt;
+  before_ = std::move(left);
 }
 
 // The whole run, as it stands.
@@ -240,11 +254,13 @@ RunBefore LabRuns::as_before() const {
           .bodies = newest.bodies,
           .start = start,
           .from = start,
+          .begin = fingerprint_of_start(newest.setup->scene, newest.setup->saved, newest.setup->edits),
           .lost = newest.lost.has_value()};
 }
 
 Worker::EditId LabRuns::cut(Worker::EditId again) {
   const Worker::EditId edit = keep(again);
+  before_left_.reset();
   const Left& left = left_.at(edit);
   // They go on with what is recorded until then.
   std::transform(left.recorders.begin(), left.recorders.end(), recorders_.begin(),

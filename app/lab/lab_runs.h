@@ -92,7 +92,8 @@ class LabRuns : public QObject {
   [[nodiscard]] bool plays() const { return frame() != nullptr && frame()->playing; }
   [[nodiscard]] const std::vector<std::shared_ptr<Recorder>>& recorders() const { return recorders_; }
   [[nodiscard]] const Frame* lost() const;  // a lost run, if any
-  // The first method's run that the last new start or restart has left, or what the last cut has cut off.
+  // The first method's run that the last new start has left, or what the last cut has cut off. A restart leaves
+  // it, unless it is a run of the same start: then it is the one that the restart left.
   [[nodiscard]] const std::optional<RunBefore>& before() const { return before_; }
   // s: progress of the runs that are recomputed after an undone edit.
   [[nodiscard]] std::optional<double> replayed() const { return replayed_; }
@@ -170,6 +171,7 @@ class LabRuns : public QObject {
   };
 
   [[nodiscard]] RunBefore as_before() const;
+  void leave_run();
   void poll();
   void take_news(const Frames& news);
   void show_start();
@@ -209,8 +211,9 @@ class LabRuns : public QObject {
   std::vector<std::shared_ptr<Recorder>> recorders_;
   std::map<Worker::EditId, Left> left_;
   std::optional<RunBefore> before_;
-  std::optional<Playhead> playhead_;  // none: at the newest moment
-  Pace pace_{Pace::Clock::now()};     // while the playhead plays
+  std::optional<RunBefore> before_left_;  // the one before the run that was left: of another start
+  std::optional<Playhead> playhead_;      // none: at the newest moment
+  Pace pace_{Pace::Clock::now()};         // while the playhead plays
   bool picks_last_ = false;  // an impact of the last step is picked: a step on, or the impact, was asked for
   std::uint64_t halts_ = 0;  // number of the last one that was shown
   std::optional<double> replayed_;

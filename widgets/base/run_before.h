@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -8,13 +9,14 @@
 
 namespace carom {
 
-// The run that was left last, or the rest of the present one that was cut off, to be shown pale beside it. Its
-// moments are shown by the time since its start.
+// The run that the last new start left, or the rest of the present one that was cut off, to be shown pale
+// beside it. Its moments are shown by the time since its start.
 struct RunBefore {
   std::shared_ptr<const Recorder> recorder;
   std::shared_ptr<const std::vector<Body>> bodies;  // as it was left
   double start = 0.0;                               // s, by its clock
   double from = 0.0;                                // s, likewise: the present run has what came earlier too
+  std::uint64_t begin = 0;                          // fingerprint_of_start() of its start
   bool lost = false;                                // its last values say nothing about the present run's
 };
 

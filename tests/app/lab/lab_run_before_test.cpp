@@ -100,7 +100,13 @@ TEST_F(LabRunBeforeTest, ANewStartLeavesIt) {
   EXPECT_NEAR(pale_end(), 0.8, 0.006);
   window_.run_until(0.3);
   restart();
-  EXPECT_NEAR(pale_end(), 0.3, 0.006) << "until the next one";
+  EXPECT_NEAR(pale_end(), 0.8, 0.006) << "a restart of this start leaves it";
+  window_.run_until(0.2);
+  window_.scene_view().select({name_});
+  window_.scene_view().setFocus();
+  key(Qt::Key_Up);
+  ASSERT_TRUE(shows_start());
+  EXPECT_NEAR(pale_end(), 0.2, 0.006) << "until the next new start";
 }
 
 TEST_F(LabRunBeforeTest, TheRestThatIsCutOffIsPaleFromThereOn) {

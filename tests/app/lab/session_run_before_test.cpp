@@ -31,7 +31,7 @@ TEST_F(SessionRunBeforeTest, ThereIsNoneUntilARunIsLeft) {
   EXPECT_FALSE(before()) << "of another document";
 }
 
-TEST_F(SessionRunBeforeTest, ItIsTheRunThatTheLastRestartOrNewStartLeft) {
+TEST_F(SessionRunBeforeTest, ItIsTheRunThatTheLastNewStartLeft) {
   run_to(0.5);
   const auto first = recorder();
   session_.starts().restart();
@@ -49,6 +49,37 @@ TEST_F(SessionRunBeforeTest, ItIsTheRunThatTheLastRestartOrNewStartLeft) {
   const auto second = recorder();
   drag("disc 2", 1);
   EXPECT_EQ(before()->recorder, second);
+  // Runs of the new start are compared with it, until that is edited.
+  for (int round = 0; round < 2; ++round) {
+    run_to(0.2);
+    session_.starts().restart();
+    settle();
+    EXPECT_EQ(before()->recorder, second);
+  }
+  undo();
+  undo();
+  redo();
+  redo();
+  EXPECT_EQ(before()->recorder, second) << "a restart that is made again leaves it too";
+  run_to(0.2);
+  const auto third = recorder();
+  Body heavier = now("disc 2");
+  heavier.mass = 2.0 * heavier.mass.value_or(1.0);
+  edit(Replace<Body>{heavier}, "Mass");
+  ASSERT_EQ(refused_, "");
+  session_.starts().restart();
+  settle();
+  EXPECT_EQ(before()->recorder, third) << "the start has another mass now";
+}
+
+TEST_F(SessionRunBeforeTest, BesideNoOtherStartItIsTheRunThatTheLastRestartLeft) {
+  for (const double time : {0.5, 0.3}) {
+    run_to(time);
+    const auto run = recorder();
+    session_.starts().restart();
+    settle();
+    EXPECT_EQ(before()->recorder, run);
+  }
 }
 
 TEST_F(SessionRunBeforeTest, UndoAndRedoTellItAnew) {
