@@ -112,11 +112,13 @@ void BeforeAfterModel::choose_columns() {
       {Quantity::kKineticAfter, {"K after\n/ J", 62}},
   };
   Zero zero;
+  const double scale = fastest();
+  const double angular = sum_of_sizes().angular;
   for (const BodyIndex body : compared_.shown) {
     for (const State* state : {&compared_.before, &compared_.after}) {
       if (body >= state->size()) continue;
-      zero.spins = zero.spins && state->v.col(body)[2] == 0.0;
-      zero.angular = zero.angular && of(*state, body).angular == 0.0;
+      zero.spins = zero.spins && without_rounding(gyration(body) * state->v.col(body)[2], scale) == 0.0;
+      zero.angular = zero.angular && without_rounding(of(*state, body).angular, angular) == 0.0;
     }
   }
   const bool has_theory = compared_.theory || compared_.over_time;

@@ -66,6 +66,14 @@ QStringList row_of(const BeforeAfterPanel& panel, int row) {
   return cells;
 }
 
+QStringList heads_of(const BeforeAfterPanel& panel) {
+  const QAbstractItemModel* model = panel.findChild<BeforeAfterTable*>()->model();
+  QStringList heads;
+  for (int column = 0; column < model->columnCount(); ++column)
+    heads << model->headerData(column, Qt::Horizontal).toString();
+  return heads;
+}
+
 QString tip_of(const BeforeAfterPanel& panel, int row, int column) {
   return panel.findChild<BeforeAfterTable*>()->model()->index(row, column).data(Qt::ToolTipRole).toString();
 }
@@ -249,6 +257,7 @@ TEST(BeforeAfter, RoundingBesideTheFastestIsNothing) {
   for (int row : {0, 1}) {
     for (const QString& cell : row_of(panel, row)) EXPECT_FALSE(cell.contains("e−4")) << cell.toStdString();
   }
+  for (const QString& head : heads_of(panel)) EXPECT_FALSE(head.startsWith("ω")) << "nothing turns";
 }
 
 }  // namespace
