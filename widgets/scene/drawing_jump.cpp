@@ -15,6 +15,7 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kMostJumping = 6;  // whose velocities find room
+constexpr std::size_t kMostTold = 6;     // whose impulses find room
 constexpr double kGap = 22.0;            // px, from the bodies to the first arrow
 constexpr double kLevel = 20.0;          // px, between two arrows
 constexpr double kWideLevel = 110.0;     // px, likewise, where texts stand between them
@@ -88,11 +89,48 @@ std::vector<Group> groups_of(const DrawingInput& in) {
   return groups;
 }
 
+double speed_of(const State& state, BodyIndex body) { return state.velocity(body).norm(); }
+
+double impulse_of(const ImpactRecord& impact) {
+  return std::hypot(impact.normal_impulse, impact.tangential_impulse);
+}
+
+// What figures of the moment are rounding beside.
+struct Largest {
+  double speed = 0.0;    // m/s, of all bodies
+  double impulse = 0.0;  // N s: of the run so far, or the momentum of its bodies
+};
+
+Largest largest_of(const DrawingInput& in) {
+  const Scales& scales = in.frame.scales;
+  Largest most{0.0, std::max(scales.impulse, scales.momentum)};
+  const State& before = in.jump->before();
+  const State& after = in.jump->after();
+  for (BodyIndex i{0}; i < before.size(); ++i)
+    most.speed = std::max({most.speed, speed_of(before, i), speed_of(after, i)});
+  for (const ImpactRecord& impact : in.jump->records) most.impulse = std::max(most.impulse, impulse_of(impact));
+  return most;
+}
+
+// The impacts of the moment with the largest impulses.
+std::vector<std::size_t> told_impacts(const std::vector<Group>& groups, const JumpMoment& moment) {
+  std::vector<std::size_t> all;
+  for (const Group& group : groups) all.insert(all.end(), group.impacts.begin(), group.impacts.end());
+  std::stable_sort(all.begin(), all.end(), [&](std::size_t a, std::size_t b) {
+    return impulse_of(moment.records[a]) > impulse_of(moment.records[b]);
+  });
+  if (all.size() > kMostTold) all.resize(kMostTold);
+  return all;
+}
+
 class Builder {
  public:
-  Builder(const DrawingInput& in, const Group& group, Drawing& out)
+  Builder(const DrawingInput& in, const Group& group, const Largest& largest,
+          const std::vector<std::size_t>& told, Drawing& out)
       : in_(in),
         out_(out),
+        largest_(largest),
+        told_(told),
         first_(in.jump->records[group.impacts.front()]),
         pixel_(1.0 / in.camera.scale),
         bodies_(group.bodies),
@@ -152,10 +190,9 @@ class Builder {
     const Vec2 from = in_.jump->before().position(body) - first_.point;
     const Vec2 at =
         first_.point + along(from) * first_.normal + (beside + std::copysign(out_by, beside)) * side_;
-    const Vec2 arrow = state.velocity(body) * in_.arrows.seconds;
-    const QString text = name(body) + ' ' +
-                         figure(without_rounding(state.velocity(body).norm(), fastest()), 3) +
-                         QStringLiteral(" m/s");
+    const double speed = without_rounding(speed_of(state, body), largest_.speed);
+    const Vec2 arrow = speed > 0.0 ? Vec2(state.velocity(body) * in_.arrows.seconds) : Vec2(Vec2::Zero());
+    const QString text = name(body) + ' ' + figure(speed, 3) + QStringLiteral(" m/s");
     // Clear of the line and of what is beyond it: on the side of the body, past an arrow that leads there.
     const double leads = arrow.dot(first_.normal);
     const bool crosses = std::abs(leads) > kAcross * arrow.norm();
@@ -164,27 +201,24 @@ class Builder {
     add({at, at + arrow, ink(kColors[level]), kJumpWidth, before}, text, text_at, text_side, !before);
   }
 
-  // m/s, of the bodies that jump.
-  [[nodiscard]] double fastest() const {
-    double most = 0.0;
-    for (const BodyIndex body : bodies_)
-      most =
-          std::max({most, in_.jump->before().velocity(body).norm(), in_.jump->after().velocity(body).norm()});
-    return most;
-  }
-
   // On each of the two, from the contact.
   void add_impulse(std::size_t i) {
     const ImpactRecord& impact = in_.jump->records[i];
-    const Vec2 impulse =
-        impact.normal_impulse * impact.normal + impact.tangential_impulse * crossed(impact.normal);
-    const Vec2 arrow = impulse * in_.arrows.metres_per_impulse;
+    const double size = without_rounding(impulse_of(impact), largest_.impulse);
+    Vec2 arrow = Vec2::Zero();
+    if (size > 0.0) {
+      arrow = in_.arrows.metres_per_impulse *
+              (impact.normal_impulse * impact.normal + impact.tangential_impulse * crossed(impact.normal));
+    }
     const QColor color = ink(3);
     const bool a = !has_infinite_mass(body_of(impact.a));
     const bool b = !has_infinite_mass(body_of(impact.b));
     const QString who = a && b ? QStringLiteral("each") : name(a ? impact.a : impact.b);
-    QString text = QString("%1 gets %2 N·s").arg(who, figure(impulse.norm(), 3));
-    if (impacts_.size() == 1) text += '\n' + loss_text(i);
+    QString text;
+    if (std::find(told_.begin(), told_.end(), i) != told_.end()) {
+      text = QString("%1 gets %2 N·s").arg(who, figure(size, 3));
+      if (impacts_.size() == 1) text += '\n' + loss_text(i);
+    }
     const Vec2 tip = b ? arrow : Vec2(-arrow);
     if (a && b)
       add({impact.point, impact.point - arrow, color, kImpulseWidth, false}, {}, Vec2::Zero(), Vec2::Zero(),
@@ -200,7 +234,7 @@ class Builder {
     const double rounding = kNoLoss * std::abs(impact.normal_impulse * impact.closing_speed);
     QString text = QString("lost %1 J").arg(figure(std::abs(lost) > rounding ? lost : 0.0, 3));
     const double parting = opening(impact, in_.jump->jumps[i].after);
-    if (impact.closing_speed > 0.0)
+    if (without_rounding(impact.closing_speed, largest_.speed) > 0.0)
       text += QString(", e = %1").arg(figure(without_rounding(parting / impact.closing_speed, 1.0), 3));
     return text;
   }
@@ -231,6 +265,8 @@ class Builder {
 
   const DrawingInput& in_;
   Drawing& out_;
+  const Largest& largest_;
+  const std::vector<std::size_t>& told_;  // impacts of the moment
   const ImpactRecord& first_;
   double pixel_;  // m
   const std::vector<BodyIndex>& bodies_;
@@ -252,7 +288,11 @@ std::vector<BodyIndex> bodies_of_jump(const DrawingInput& in) {
 }
 
 void add_jump(const DrawingInput& in, Drawing& out) {
-  for (const Group& group : groups_of(in)) Builder(in, group, out).build();
+  const std::vector<Group> groups = groups_of(in);
+  if (groups.empty()) return;
+  const Largest largest = largest_of(in);
+  const std::vector<std::size_t> told = told_impacts(groups, *in.jump);
+  for (const Group& group : groups) Builder(in, group, largest, told, out).build();
 }
 
 }  // namespace carom

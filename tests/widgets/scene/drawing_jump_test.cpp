@@ -125,6 +125,47 @@ TEST_F(DrawingJump, PairsThatMeetAtOneMomentHaveALineEach) {
   }
 }
 
+// Beside a fast body what is left of an impact at rest is nothing.
+TEST_F(DrawingJump, FiguresOfRoundingAreNotShown) {
+  Preset preset = head_on_scene();
+  preset.scene.bodies.push_back(disc("fast", {0.0, 3.0}, {5.0, 0.0}, 1.0));
+  Simulation run(setup_of(preset));
+  run.watch_impacts(true);
+  while (run.last_impacts().empty()) run.step();
+  auto frame = std::make_shared<Frame>(run_to(preset, run.time()));
+  const auto known = jump_moments(run);
+  auto moment = std::make_shared<JumpMoment>(*known.front());
+  ImpactRecord& impact = moment->records.front();
+  impact.normal_impulse = 2.2e-19;
+  impact.closing_speed = 2.5e-17;
+  for (Jump& each : moment->jumps) {
+    each.before.v.col(BodyIndex{0}) *= 1e-17;
+    each.after.v.col(BodyIndex{0}) *= 1e-17;
+    each.after.v.col(BodyIndex{1}) *= 1e-17;
+  }
+  frame->jumps = {moment};
+  view_.set_picked(moment->time());
+  view_.set_frame(frame);
+  EXPECT_EQ(texts(), (QStringList{"A 0 m/s", "A 0 m/s", "B 0 m/s", "B 0 m/s", "each gets 0 N·s\nlost 0 J",
+                                  "just before", "just after"}));
+  EXPECT_TRUE(jump().arrows.empty());
+}
+
+// Eight discs fall on a plate that moves freely, so that they are one group.
+TEST_F(DrawingJump, OfManyImpactsTheLargestAreTold) {
+  Preset preset;
+  Body plate = disc("plate", {0.0, 0.0}, {0.0, 0.0}, 1000.0);
+  plate.shape = Box{8.0, 1.0};
+  preset.scene.bodies = {plate};
+  for (int i = 0; i < 8; ++i)
+    preset.scene.bodies.push_back(
+        disc("disc " + std::to_string(i), {-3.5 + 1.0 * i, 1.0}, {0.0, -3.0}, 1.0 + i));
+  show(preset);
+  ASSERT_EQ(view_.drawing().marks.size(), 8U);
+  const QStringList told = texts().filter("gets");
+  EXPECT_EQ(told.size(), 6) << told.join("; ").toStdString();
+}
+
 TEST_F(DrawingJump, AtAWallTheBodyAlone) {
   Preset preset;
   Body floor;
