@@ -407,7 +407,7 @@ void Inspector::set_frozen(bool frozen) {
   content_->setEnabled(!frozen);
   name_->setEnabled(!frozen);
   back_->setEnabled(!frozen);
-  set_line(hint_, frozen ? tr("Pause to edit") : QString());
+  set_line(hint_, !frozen ? QString() : plays_ ? tr("Pause to edit") : tr("Computing this moment"));
 }
 
 // What is pulled while the run plays changes what there is now.
