@@ -49,6 +49,9 @@ void ImpactsPanel::update_from(const Frame& newest, const Frame& shown, const Re
   const bool others = std::exchange(bodies_, newest.bodies) != newest.bodies;
   if (others && !filter_->text().isEmpty()) read_filter();
   all_ = newest.impact_count;
+  const Ring<ImpactRecord>& kept = recorder.impacts();
+  kept_ = static_cast<std::int64_t>(kept.size());
+  kept_from_ = kept.size() > 0 ? kept[0].time : 0.0;
   table_->update_from(newest, shown, recorder);
   show_count();
 }
@@ -68,7 +71,11 @@ void ImpactsPanel::read_filter() {
 }
 
 void ImpactsPanel::show_count() {
-  said_->setText(fault_.isEmpty() ? tr("%1 of %2 shown").arg(table_->model()->rowCount()).arg(all_) : fault_);
+  if (!fault_.isEmpty()) return said_->setText(fault_);
+  QString text = tr("%1 of %2 shown").arg(table_->model()->rowCount()).arg(all_);
+  if (kept_ < all_)
+    text += tr("; only the newest %1 are kept, from %2 s on").arg(kept_).arg(kept_from_, 0, 'f', 3);
+  said_->setText(text);
 }
 
 }  // namespace carom

@@ -33,7 +33,9 @@ class ImpactsPanel : public QWidget {
   ImpactsTable* table_;
   QString fault_;
   std::shared_ptr<const std::vector<Body>> bodies_;
-  std::int64_t all_ = 0;  // impacts of the run so far
+  std::int64_t all_ = 0;    // impacts of the run so far
+  std::int64_t kept_ = 0;   // of them
+  double kept_from_ = 0.0;  // s
 };
 
 }  // namespace carom

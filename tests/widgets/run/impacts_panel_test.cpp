@@ -65,6 +65,17 @@ class ImpactsPanelTest : public testing::Test {
   ImpactsPanel panel_;
 };
 
+TEST_F(ImpactsPanelTest, OfVeryManyItSaysWhichAreKept) {
+  frame_.impacts.clear();
+  for (std::size_t i = 0; i < Recorder::kMostImpacts; ++i)
+    add(4.0 + 1e-5 * static_cast<double>(i), 1, 2, 2.0, 0.3);
+  frame_.impact_count += static_cast<std::int64_t>(Recorder::kMostImpacts);
+  frame_.time = 5.0;
+  recorder_.add(frame_);
+  type("light");
+  EXPECT_EQ(said(), "0 of 100004 shown; only the newest 100000 are kept, from 4.000 s on");
+}
+
 TEST_F(ImpactsPanelTest, TermsOfTheFilter) {
   EXPECT_EQ(shown(), "4 3 2 1");
   EXPECT_EQ(said(), "4 of 4 shown");
