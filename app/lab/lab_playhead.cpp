@@ -143,7 +143,13 @@ void LabRuns::play_past(bool playing) {
   playhead_->plays = true;
   playhead_->impact.reset();
   playhead_->passed = shown_time();
-  pace_.begin(shown_time(), Pace::Clock::now());
+  begin_past_pace(shown_time());
+}
+
+void LabRuns::begin_past_pace(double time) {
+  const auto now = Pace::Clock::now();
+  pace_.begin(time, now);
+  pace_.begin_measurement(time, now);
 }
 
 // What is due now at the present pace: no more than the moment from which on it plays slowly, near an impact of
@@ -204,6 +210,8 @@ void LabRuns::show_speeds(const Frames& frames) {
 
 // Other runs than those of which a moment was asked for have another past.
 void LabRuns::follow_runs() {
+  if (playhead_->plays) pace_.measure(first->time, Pace::Clock::now());
+  first->realised_speed = playhead_->plays ? pace_.reached() : 0.0;
   show_speeds(frames());
   if (replayed_) return;
   const bool same = std::equal(frames_.begin(), frames_.end(), playhead_->runs.begin(), playhead_->runs.end(),

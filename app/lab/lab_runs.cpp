@@ -60,7 +60,7 @@ void LabRuns::restart() {
 void LabRuns::set_speed(double speed) {
   speed_ = speed;
   pace_.set_speed(speed);
-  if (playhead_ && !frames().empty()) pace_.begin(frames().front()->time, Pace::Clock::now());
+  if (playhead_ && !frames().empty()) begin_past_pace(frames().front()->time);
   worker_.set_speed(speed);
 }
 

@@ -195,6 +195,7 @@ class LabRuns : public QObject {
   void take_halt(const Frames& before);
   void show_stop(const MetStop& met);
   [[nodiscard]] std::optional<double> impact_of(const MetStop& met) const;
+  void begin_past_pace(double time);                           // s
   [[nodiscard]] const MetStop* stop_until(double time) const;
   void show_speeds(const Frames& frames);
   [[nodiscard]] std::shared_ptr<const Frame> with_impacts(const Frame& frame, std::size_t run) const;

@@ -203,6 +203,23 @@ TEST_F(LabPlayheadTest, NearAnImpactItPlaysSlower) {
   EXPECT_LT(last, 0.39);
 }
 
+// As live.
+TEST_F(LabPlayheadTest, ALagIsSaidWhereTheRecordIsPlayed) {
+  ASSERT_TRUE(window_.open("pile"));
+  window_.run_until(15.0);
+  press(Qt::Key_Home);
+  choose_speed(20.0);
+  QTest::keyClick(&window_.scene_view(), Qt::Key_Space);
+  ASSERT_TRUE(runs().in_past());
+  bool said = false;
+  ASSERT_TRUE(wait_for([&] {
+    said = said || (runs().in_past() && speed_chip().contains(", runs at "));
+    return said || !runs().in_past();
+  }));
+  EXPECT_TRUE(said);
+  runs().set_playing(false);
+}
+
 // Pictures at 4 times the speed are 32 ms or more apart.
 TEST_F(LabPlayheadTest, NearAnImpactItPlaysSlowerHoweverFastBefore) {
   action("Slow near impacts")->trigger();
