@@ -270,6 +270,7 @@ void LabWindow::show_document() {
   compare_->set_scene(preset(), session_.history().document().reference);
   transport_->set_duration(preset().duration);
   plots_->set_duration(preset().duration);
+  transport_->timeline().set_start(start_time(preset().saved));
   show_stops();
   show_selection();
 }

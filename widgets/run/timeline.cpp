@@ -55,6 +55,11 @@ void Timeline::set_duration(double seconds) {
 }
 
 void Timeline::set_stops(const std::vector<Stop>& stops) {
+void Timeline::set_start(double time) {
+  start_ = time;
+  update();
+}
+
   flags_.set_stops(stops);
   held_.reset();
   if (chosen_ && *chosen_ >= stops.size()) chosen_.reset();
@@ -99,8 +104,8 @@ void Timeline::paintEvent(QPaintEvent* /*event*/) {
   // What lies after the playhead is pale.
   QColor rest = theme_.accent;
   rest.setAlphaF(0.4F);
-  if (shown_ < time_) line(kMargin, x_of(time_), rest);
-  if (time_ > 0.0 && shown_ > 0.0) line(kMargin, x_of(std::min(shown_, time_)), theme_.accent);
+  if (shown_ < time_) line(x_of(start_), x_of(time_), rest);
+  if (time_ > start_ && shown_ > start_) line(x_of(start_), x_of(std::min(shown_, time_)), theme_.accent);
   QColor tick = theme_.muted;
   tick.setAlphaF(ticks_.size() > 60 ? 0.35F : 0.9F);
   painter.setPen(QPen(tick, 1.2));
@@ -166,7 +171,7 @@ void Timeline::mouseMoveEvent(QMouseEvent* event) {
   const double by = share * (x - std::exchange(scrub_->x, x)) * end() / (width() - 2.0 * kMargin);
   if (std::abs(by) <= kSameTime * end()) return;
   scrub_->time += by;
-  emit scrubbed(std::clamp(scrub_->time, 0.0, time_));
+  emit scrubbed(std::clamp(scrub_->time, start_, time_));
 }
 
 void Timeline::mouseReleaseEvent(QMouseEvent* event) {

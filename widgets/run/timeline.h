@@ -27,6 +27,7 @@ class Timeline : public QWidget {
   explicit Timeline(const Theme& theme, QWidget* parent = nullptr);
   void set_theme(const Theme& theme);
   void set_duration(double seconds);
+  void set_start(double time);  // s, of the record
   void set_stops(const std::vector<Stop>& stops);
   // The user's marks A and B, s.
   void set_marks(std::optional<double> a, std::optional<double> b);
@@ -90,6 +91,7 @@ class Timeline : public QWidget {
   double shown_ = 0.0;
   std::vector<double> ticks_;                   // s, thinned to what pixels can show
   std::array<std::optional<double>, 2> marks_;  // s
+  double start_ = 0.0;  // s
   TimelineFlags flags_;
   std::optional<HeldFlag> held_;
   std::optional<std::size_t> chosen_;  // stop

@@ -302,6 +302,18 @@ TEST_F(LabPlayheadTest, ATimeCanBeTyped) {
   EXPECT_FALSE(field->isVisible());
 }
 
+// Where the clock keeps its time, there is nothing before the start.
+TEST_F(LabPlayheadTest, TheTimelineIsFilledFromTheStartOn) {
+  const auto filled = [this](double t) {
+    const QImage image = timeline()->grab().toImage();
+    return image.pixelColor(qRound(timeline()->x_of(t)), timeline()->height() / 2);
+  };
+  EXPECT_EQ(filled(0.1), light_theme().accent);
+  timeline()->set_start(0.3);
+  EXPECT_NE(filled(0.1), light_theme().accent);
+  EXPECT_EQ(filled(0.6), light_theme().accent);
+}
+
 TEST_F(LabPlayheadTest, ARowOfTheImpactsGoesToItsMoment) {
   auto* panel = window_.findChild<ImpactsPanel*>();
   ImpactsTable* table = &panel->table();
