@@ -244,6 +244,7 @@ void LabWindow::connect_timeline() {
   connect(plots_, &PlotPanel::scrubBegan, this, begin);
   connect(plots_, &PlotPanel::scrubbed, &runs, &LabRuns::go_to);
   connect(plots_, &PlotPanel::scrubEnded, this, end);
+  connect(timeline, &Timeline::timeTyped, &runs, &LabRuns::go_to);
   connect(timeline, &Timeline::impactChosen, &runs, &LabRuns::go_to_impact);
   connect(timeline, &Timeline::impactAsked, &runs, &LabRuns::go_by_impact);
   connect(&impacts_->table(), &ImpactsTable::impactChosen, &runs, &LabRuns::go_to_impact);

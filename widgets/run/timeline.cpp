@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QStyle>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
@@ -41,7 +42,7 @@ Timeline::Timeline(const Theme& theme, QWidget* parent)
   field_->installEventFilter(this);
   field_->hide();
   connect(field_, &QLineEdit::returnPressed, this, &Timeline::take_field);
-  connect(field_, &QLineEdit::editingFinished, field_, &QWidget::hide);
+  connect(field_, &QLineEdit::textEdited, this, [this] { say_fault({}); });
 }
 
 void Timeline::set_theme(const Theme& theme) {
@@ -248,11 +249,26 @@ void Timeline::open_field() {
   field_->setFocus();
 }
 
+  say_fault({});
 void Timeline::take_field() {
   const TypedQuantity typed = typed_quantity(field_->text(), "s");
-  if (!typed.change) return;
+  if (!typed.change) return say_fault(typed.fault);
+  constexpr double kShownDigits = 1e-5;  // share of a time that its six digits leave out
+  const double time = typed.change->of(shown_);
+  const double rounding = kShownDigits * std::abs(time);
+  if (time < start_ - rounding || time > time_ + rounding)
+    return say_fault(tr("The record goes from %1 to %2 s.").arg(start_, 0, 'g', 6).arg(time_, 0, 'g', 6));
   field_->hide();
-  emit scrubbed(std::clamp(typed.change->of(shown_), 0.0, time_));
+  emit timeTyped(std::clamp(time, start_, time_));
+}
+
+void Timeline::say_fault(const QString& sentence) {
+  field_->setToolTip(plain_tip(sentence));
+  field_->setProperty("fault", !sentence.isEmpty());
+  field_->style()->unpolish(field_);
+  field_->style()->polish(field_);
+  if (sentence.isEmpty()) return QToolTip::hideText();
+  QToolTip::showText(field_->mapToGlobal(QPoint(0, field_->height())), plain_tip(sentence), field_);
 }
 
 bool Timeline::eventFilter(QObject* watched, QEvent* event) {
@@ -265,3 +281,8 @@ bool Timeline::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace carom
+  // A click elsewhere leaves it; the shown time holds.
+  if (watched == field_ && event->type() == QEvent::FocusOut &&
+      static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason) {
+    field_->hide();
+  }

@@ -42,6 +42,7 @@ class Timeline : public QWidget {
   void scrubBegan();
   void scrubbed(double time);  // s
   void scrubEnded();
+  void timeTyped(double time);     // s
   void impactChosen(double time);  // s, of a recorded impact
   void stepAsked(int steps);
   void impactAsked(bool forward);
@@ -85,6 +86,7 @@ class Timeline : public QWidget {
   void take_field();
 
   Theme theme_;
+  void say_fault(const QString& sentence);  // of what is typed; empty: of none
   QLineEdit* field_;
   double duration_ = 1.0;
   double time_ = 0.0;

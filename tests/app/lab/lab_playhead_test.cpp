@@ -302,6 +302,32 @@ TEST_F(LabPlayheadTest, ATimeCanBeTyped) {
   EXPECT_FALSE(field->isVisible());
 }
 
+// The field stays, red, and says why; Escape and a click elsewhere leave it.
+TEST_F(LabPlayheadTest, AWrongTimeIsSaid) {
+  QTest::mouseDClick(timeline(), Qt::LeftButton, {}, {40, timeline()->height() / 2});
+  auto* field = timeline()->findChild<QLineEdit*>();
+  QTest::keyClicks(field, "soon");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_TRUE(field->isVisible());
+  EXPECT_TRUE(field->property("fault").toBool());
+  EXPECT_FALSE(field->toolTip().isEmpty());
+  field->selectAll();
+  QTest::keyClicks(field, "7 s");
+  EXPECT_FALSE(field->property("fault").toBool()) << "it is typed anew";
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_TRUE(field->isVisible());
+  EXPECT_TRUE(field->toolTip().contains("The record goes from 0 to 1 s.")) << field->toolTip().toStdString();
+  EXPECT_FALSE(runs().in_past());
+  field->selectAll();
+  QTest::keyClicks(field, "1");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_FALSE(field->isVisible());
+  QTest::mouseDClick(timeline(), Qt::LeftButton, {}, {40, timeline()->height() / 2});
+  QTest::keyClicks(field, "0.5");
+  window_.scene_view().setFocus();
+  EXPECT_FALSE(field->isVisible());
+}
+
 // Where the clock keeps its time, there is nothing before the start.
 TEST_F(LabPlayheadTest, TheTimelineIsFilledFromTheStartOn) {
   const auto filled = [this](double t) {
