@@ -245,6 +245,12 @@ void LabWindow::connect_timeline() {
   connect(plots_, &PlotPanel::scrubbed, &runs, &LabRuns::go_to);
   connect(plots_, &PlotPanel::scrubEnded, this, end);
   connect(timeline, &Timeline::timeTyped, &runs, &LabRuns::go_to);
+  connect(timeline, &Timeline::impactOpened, this, [this](double time) {
+    drawer_->set_folded(false);
+    drawer_->choose(impacts_);
+    show_frame();
+    impacts_->table().show_impact(time);
+  });
   connect(timeline, &Timeline::impactChosen, &runs, &LabRuns::go_to_impact);
   connect(timeline, &Timeline::impactAsked, &runs, &LabRuns::go_by_impact);
   connect(&impacts_->table(), &ImpactsTable::impactChosen, &runs, &LabRuns::go_to_impact);

@@ -157,4 +157,13 @@ void ImpactsTable::update_from(const Frame& newest, const Frame& shown, const Re
   static_cast<ImpactsModel*>(model())->mark(shown);
 }
 
+void ImpactsTable::show_impact(double time) {
+  const auto* impacts = static_cast<const ImpactsModel*>(model());
+  for (int row = 0; row < impacts->rowCount(); ++row) {
+    if (impacts->time(row) != time) continue;
+    setCurrentIndex(impacts->index(row, 0));
+    return;
+  }
+}
+
 }  // namespace carom

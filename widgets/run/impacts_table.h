@@ -18,6 +18,7 @@ class ImpactsTable : public FigureTable {
   explicit ImpactsTable(QWidget* parent = nullptr);
   void set_filter(const ImpactFilter& filter);  // of the next update
   void update_from(const Frame& newest, const Frame& shown, const Recorder& recorder);
+  void show_impact(double time);  // s: marks its row, if there is one
 
  signals:
   void impactChosen(double time);  // s

@@ -35,7 +35,7 @@ Timeline::Timeline(const Theme& theme, QWidget* parent)
   setToolTip(
       tr("The run so far; a tick for each impact.\n"
          "Click or drag: to a moment; with Shift ten times finer.\n"
-         "Wheel: a step; with Ctrl an impact. Double click: type a time.\n"
+         "Wheel: a step; with Ctrl an impact. Double click: type a time; on a tick: open the impact.\n"
          "A flag for each stop: a click opens it, a drag moves one at a time.\n"
          "A and B: the marks, as in the plots; Ctrl+M and Ctrl+Shift+M set them at the shown moment."));
   field_->setAccessibleName(tr("Time in s"));
@@ -55,12 +55,12 @@ void Timeline::set_duration(double seconds) {
   update();
 }
 
-void Timeline::set_stops(const std::vector<Stop>& stops) {
 void Timeline::set_start(double time) {
   start_ = time;
   update();
 }
 
+void Timeline::set_stops(const std::vector<Stop>& stops) {
   flags_.set_stops(stops);
   held_.reset();
   if (chosen_ && *chosen_ >= stops.size()) chosen_.reset();
@@ -148,20 +148,23 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
     return update();
   }
   emit scrubBegan();
-  const auto near = std::find_if(ticks_.begin(), ticks_.end(),
-                                 [&](double tick) { return std::abs(x_of(tick) - x) <= 0.5 * kTickWidth; });
   const bool on_head = std::abs(x_of(shown_) - x) <= 0.5 * kTickWidth;
   scrub_ = {x, on_head ? shown_ : time_at(x)};
   if (on_head) return;
-  if (near == ticks_.end()) {
-    emit scrubbed(std::clamp(scrub_->time, 0.0, time_));
+  if (const std::optional<double> tick = tick_at(x)) {
+    scrub_->time = *tick;
+    emit impactChosen(*tick);
   } else {
-    const auto closest = std::min_element(ticks_.begin(), ticks_.end(), [&](double a, double b) {
-      return std::abs(x_of(a) - x) < std::abs(x_of(b) - x);
-    });
-    scrub_->time = *closest;
-    emit impactChosen(*closest);
+    emit scrubbed(std::clamp(scrub_->time, start_, time_));
   }
+}
+
+// The closest one within the mouse's reach.
+std::optional<double> Timeline::tick_at(double x) const {
+  const auto away = [&](double tick) { return std::abs(x_of(tick) - x); };
+  const auto closest =
+      std::min_element(ticks_.begin(), ticks_.end(), [&](double a, double b) { return away(a) < away(b); });
+  return closest != ticks_.end() && away(*closest) <= 0.5 * kTickWidth ? std::optional(*closest) : std::nullopt;
 }
 
 void Timeline::mouseMoveEvent(QMouseEvent* event) {
@@ -182,7 +185,9 @@ void Timeline::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void Timeline::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton && !flag_at(event->position())) open_field();
+  if (event->button() != Qt::LeftButton || flag_at(event->position())) return;
+  if (const std::optional<double> tick = tick_at(event->position().x())) return emit impactOpened(*tick);
+  open_field();
 }
 
 void Timeline::wheelEvent(QWheelEvent* event) {
@@ -244,12 +249,12 @@ void Timeline::open_field() {
   const int left = std::clamp(qRound(x_of(shown_)) - kWidth / 2, 0, std::max(0, width() - kWidth));
   field_->setGeometry(left, 0, kWidth, height());
   field_->setText(QString("%1 s").arg(shown_, 0, 'g', 6));
+  say_fault({});
   field_->selectAll();
   field_->show();
   field_->setFocus();
 }
 
-  say_fault({});
 void Timeline::take_field() {
   const TypedQuantity typed = typed_quantity(field_->text(), "s");
   if (!typed.change) return say_fault(typed.fault);
@@ -277,12 +282,12 @@ bool Timeline::eventFilter(QObject* watched, QEvent* event) {
     field_->hide();
     return true;
   }
-  return QWidget::eventFilter(watched, event);
-}
-
-}  // namespace carom
   // A click elsewhere leaves it; the shown time holds.
   if (watched == field_ && event->type() == QEvent::FocusOut &&
       static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason) {
     field_->hide();
   }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace carom

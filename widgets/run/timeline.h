@@ -17,9 +17,9 @@ namespace carom {
 // The record of a run: the experiment's duration as a line, the time so far filled, a tick for each impact, and
 // the playhead at the shown moment. Where a run continues past the duration the line grows by whole durations.
 // Click and drag: to a moment, with Shift ten times finer; a click on a tick: to the impact. Wheel: a step,
-// with Ctrl an impact. Double click: a field for a time. Stops have flags: a click chooses one, a drag moves
-// one at a time, Escape takes the drag back, Delete removes the chosen one. The marks A and B are letters under
-// the line.
+// with Ctrl an impact. Double click: on a tick the impact, elsewhere a field for a time. Stops have flags: a
+// click chooses one, a drag moves one at a time, Escape takes the drag back, Delete removes the chosen one. The
+// marks A and B are letters under the line.
 class Timeline : public QWidget {
   Q_OBJECT
 
@@ -44,6 +44,7 @@ class Timeline : public QWidget {
   void scrubEnded();
   void timeTyped(double time);     // s
   void impactChosen(double time);  // s, of a recorded impact
+  void impactOpened(double time);  // likewise
   void stepAsked(int steps);
   void impactAsked(bool forward);
   // Of the document's stops, by their index.
@@ -78,22 +79,23 @@ class Timeline : public QWidget {
   };
 
   [[nodiscard]] double time_at(double x) const;
+  [[nodiscard]] std::optional<double> tick_at(double x) const;  // s
   [[nodiscard]] std::optional<TimelineFlag> flag_at(const QPointF& at) const;
   void paint_marks(QPainter& painter, double middle) const;
   void drag_flag(double x, bool finer);
   void drop_flag();
   void open_field();
   void take_field();
+  void say_fault(const QString& sentence);  // of what is typed; empty: of none
 
   Theme theme_;
-  void say_fault(const QString& sentence);  // of what is typed; empty: of none
   QLineEdit* field_;
   double duration_ = 1.0;
+  double start_ = 0.0;  // s
   double time_ = 0.0;
   double shown_ = 0.0;
   std::vector<double> ticks_;                   // s, thinned to what pixels can show
   std::array<std::optional<double>, 2> marks_;  // s
-  double start_ = 0.0;  // s
   TimelineFlags flags_;
   std::optional<HeldFlag> held_;
   std::optional<std::size_t> chosen_;  // stop

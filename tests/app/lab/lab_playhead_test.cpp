@@ -328,6 +328,21 @@ TEST_F(LabPlayheadTest, AWrongTimeIsSaid) {
   EXPECT_FALSE(field->isVisible());
 }
 
+TEST_F(LabPlayheadTest, ADoubleClickOnATickOpensTheImpact) {
+  auto* panel = window_.findChild<ImpactsPanel*>();
+  auto* drawer = window_.findChild<Drawer*>();
+  drawer->set_folded(true);
+  const QPoint at(qRound(timeline()->x_of(1.0 / 3.0)), timeline()->height() / 2);
+  QTest::mouseClick(timeline(), Qt::LeftButton, {}, at);
+  QTest::mouseDClick(timeline(), Qt::LeftButton, {}, at);
+  ASSERT_TRUE(wait_there());
+  EXPECT_TRUE(drawer->shows(panel));
+  ASSERT_EQ(panel->table().model()->rowCount(), 1);
+  EXPECT_EQ(panel->table().currentIndex().row(), 0);
+  EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
+  EXPECT_FALSE(timeline()->findChild<QLineEdit*>()->isVisible());
+}
+
 // Where the clock keeps its time, there is nothing before the start.
 TEST_F(LabPlayheadTest, TheTimelineIsFilledFromTheStartOn) {
   const auto filled = [this](double t) {
