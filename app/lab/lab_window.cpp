@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QTimer>
 #include <QUrl>
+#include <algorithm>
 #include <utility>
 
 #include "app/lab/document_files.h"
@@ -269,8 +270,8 @@ void LabWindow::show_document() {
   study_->edit_scene(preset());
   compare_->set_scene(preset(), session_.history().document().reference);
   transport_->set_duration(preset().duration);
-  plots_->set_duration(preset().duration);
   transport_->timeline().set_start(start_time(preset().saved));
+  plots_->set_duration(preset().duration);
   show_stops();
   show_selection();
 }
@@ -337,7 +338,9 @@ void LabWindow::show_frame() {
   transport_->update_from(frame, newest, *recorders.front(), shown);
   transport_->timeline().set_marks(plots_->marks().a, plots_->marks().b);
   if (drawer_->shows(before_after_)) show_before_after();
-  if (drawer_->shows(impacts_)) impacts_->update_from(newest, frame, *recorders.front());
+  if (drawer_->shows(impacts_))
+    impacts_->update_from(newest, std::max(frame.time, session_.runs().picked().value_or(0.0)),
+                          *recorders.front());
   if (drawer_->shows(ledger_)) ledger_->update_from(frame);
   if (drawer_->shows(reading_)) reading_->update_from(plots_->runs(), plots_->contents(), plots_->marks());
   if (drawer_->shows(compare_)) compare_->update_from(frames);

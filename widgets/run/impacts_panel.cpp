@@ -44,7 +44,7 @@ ImpactsPanel::ImpactsPanel(QWidget* parent)
   });
 }
 
-void ImpactsPanel::update_from(const Frame& newest, const Frame& shown, const Recorder& recorder) {
+void ImpactsPanel::update_from(const Frame& newest, double shown, const Recorder& recorder) {
   // A filter is of these bodies.
   const bool others = std::exchange(bodies_, newest.bodies) != newest.bodies;
   if (others && !filter_->text().isEmpty()) read_filter();

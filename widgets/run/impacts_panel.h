@@ -18,7 +18,8 @@ class ImpactsPanel : public QWidget {
 
  public:
   explicit ImpactsPanel(QWidget* parent = nullptr);
-  void update_from(const Frame& newest, const Frame& shown, const Recorder& recorder);
+  // `shown`: s, up to which impacts have been met.
+  void update_from(const Frame& newest, double shown, const Recorder& recorder);
   [[nodiscard]] ImpactsTable& table() { return *table_; }
 
  signals:

@@ -45,8 +45,8 @@ class ImpactsModel : public FigureModel {
   }
 
   // Those after the shown moment are pale.
-  void mark(const Frame& shown) {
-    if (std::exchange(shown_, shown.time) != shown.time) rows_changed(static_cast<int>(impacts_.size()));
+  void mark(double shown) {
+    if (std::exchange(shown_, shown) != shown) rows_changed(static_cast<int>(impacts_.size()));
   }
 
   void sort(int column, Qt::SortOrder order) override {
@@ -152,7 +152,7 @@ void ImpactsTable::set_filter(const ImpactFilter& filter) {
   static_cast<ImpactsModel*>(model())->set_filter(filter);
 }
 
-void ImpactsTable::update_from(const Frame& newest, const Frame& shown, const Recorder& recorder) {
+void ImpactsTable::update_from(const Frame& newest, double shown, const Recorder& recorder) {
   static_cast<ImpactsModel*>(model())->set(newest, recorder);
   static_cast<ImpactsModel*>(model())->mark(shown);
 }

@@ -17,7 +17,8 @@ class ImpactsTable : public FigureTable {
   static constexpr int kMostWhilePlaying = 500;
   explicit ImpactsTable(QWidget* parent = nullptr);
   void set_filter(const ImpactFilter& filter);  // of the next update
-  void update_from(const Frame& newest, const Frame& shown, const Recorder& recorder);
+  // `shown`: s, up to which impacts have been met.
+  void update_from(const Frame& newest, double shown, const Recorder& recorder);
   void show_impact(double time);  // s: marks its row, if there is one
 
  signals:

@@ -341,6 +341,11 @@ TEST_F(LabPlayheadTest, ADoubleClickOnATickOpensTheImpact) {
   EXPECT_EQ(panel->table().currentIndex().row(), 0);
   EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
   EXPECT_FALSE(timeline()->findChild<QLineEdit*>()->isVisible());
+  // The moment is just before it: the row is not pale as one that lies ahead.
+  const auto* impacts = static_cast<const FigureModel*>(panel->table().model());
+  EXPECT_FALSE(impacts->is_idle(0, 0));
+  press(Qt::Key_Home);
+  EXPECT_TRUE(impacts->is_idle(0, 0));
 }
 
 // Where the clock keeps its time, there is nothing before the start.

@@ -80,7 +80,7 @@ TEST(RunTables, ImpactsNewestFirst) {
   Recorder recorder;
   recorder.add(frame);
   ImpactsTable table;
-  table.update_from(frame, frame, recorder);
+  table.update_from(frame, frame.time, recorder);
   ASSERT_EQ(table.model()->rowCount(), 1);
   const QStringList expected = {"1", "0.200000", "A – B", "3.000", "4.000", "0"};
   for (int column = 0; column < expected.size(); ++column) EXPECT_EQ(cell(table, 0, column), expected[column]);
@@ -91,13 +91,13 @@ TEST(RunTables, ImpactsNewestFirst) {
   many.impact_count = 701;
   many.playing = true;
   recorder.add(many);
-  table.update_from(many, many, recorder);
+  table.update_from(many, many.time, recorder);
   ASSERT_EQ(table.model()->rowCount(), ImpactsTable::kMostWhilePlaying);
   EXPECT_EQ(cell(table, 0, 0), "701");
   EXPECT_EQ(cell(table, 0, 3), "7.000");
   EXPECT_EQ(cell(table, 499, 0), "202");
   many.playing = false;
-  table.update_from(many, many, recorder);
+  table.update_from(many, many.time, recorder);
   EXPECT_EQ(table.model()->rowCount(), 701) << "all of a run that stands still";
 
   Frame restarted = frame;
@@ -105,7 +105,7 @@ TEST(RunTables, ImpactsNewestFirst) {
   restarted.impact_count = 0;
   restarted.impacts.clear();
   recorder.add(restarted);
-  table.update_from(restarted, restarted, recorder);
+  table.update_from(restarted, restarted.time, recorder);
   EXPECT_EQ(table.model()->rowCount(), 0);
 }
 

@@ -44,7 +44,7 @@ class ImpactsPanelTest : public testing::Test {
     impact.lost_to_friction = lost;
     frame_.impacts.push_back(impact);
   }
-  void update() { panel_.update_from(frame_, frame_, recorder_); }
+  void update() { panel_.update_from(frame_, frame_.time, recorder_); }
   void type(const QString& text) { panel_.findChild<QLineEdit*>()->setText(text); }
   // The numbers of the shown ones, in their order.
   QString shown() {
