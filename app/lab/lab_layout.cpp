@@ -230,20 +230,15 @@ void LabWindow::connect_views() {
   });
 }
 
-// While it plays, it plays on from where the mouse lets go.
 void LabWindow::connect_timeline() {
   LabRuns& runs = session_.runs();
   Timeline* timeline = &transport_->timeline();
-  const auto begin = [this] { plays_after_scrub_ = frame() != nullptr && frame()->playing; };
-  const auto end = [this] {
-    if (std::exchange(plays_after_scrub_, false)) session_.runs().set_playing(true);
-  };
-  connect(timeline, &Timeline::scrubBegan, this, begin);
-  connect(timeline, &Timeline::scrubbed, &runs, &LabRuns::go_to);
-  connect(timeline, &Timeline::scrubEnded, this, end);
-  connect(plots_, &PlotPanel::scrubBegan, this, begin);
-  connect(plots_, &PlotPanel::scrubbed, &runs, &LabRuns::go_to);
-  connect(plots_, &PlotPanel::scrubEnded, this, end);
+  connect(timeline, &Timeline::scrubBegan, &scrubbing_, &Scrubbing::begin);
+  connect(timeline, &Timeline::scrubbed, &scrubbing_, &Scrubbing::to);
+  connect(timeline, &Timeline::scrubEnded, &scrubbing_, &Scrubbing::end);
+  connect(plots_, &PlotPanel::scrubBegan, &scrubbing_, &Scrubbing::begin);
+  connect(plots_, &PlotPanel::scrubbed, &scrubbing_, &Scrubbing::to);
+  connect(plots_, &PlotPanel::scrubEnded, &scrubbing_, &Scrubbing::end);
   connect(timeline, &Timeline::timeTyped, &runs, &LabRuns::go_to);
   connect(timeline, &Timeline::impactOpened, this, [this](double time) {
     drawer_->set_folded(false);

@@ -81,6 +81,18 @@ void LabRuns::go_by_impact(bool forward) {
   forward ? go_to_end() : go_to_start();
 }
 
+LabRuns::ShownMoment LabRuns::shown_moment() const {
+  if (!playhead_) return {.picks_last = picks_last_};
+  return {playhead_->moment, playhead_->impact, picks_last_};
+}
+
+void LabRuns::go_back_to(const ShownMoment& shown) {
+  if (!has_record()) return;
+  picks_last_ = shown.picks_last;
+  if (!shown.past) return leave_past();
+  seek(*shown.past, shown.impact);
+}
+
 void LabRuns::step_by(int steps) {
   picks_last_ = steps > 0;
   if (!playhead_ && steps > 0) return worker_.step_once();
@@ -198,6 +210,8 @@ void LabRuns::take_shown() {
   show_speeds(frames);
   auto first = std::make_shared<Frame>(*frames.front());
   first->playing = playhead_->plays;
+  if (playhead_->plays) pace_.measure(first->time, Pace::Clock::now());
+  first->realised_speed = playhead_->plays ? pace_.reached() : 0.0;
   if (!playhead_->there || playhead_->plays) first->scene.reset();
   frames.front() = std::move(first);
   playhead_->frames = std::move(frames);
@@ -210,8 +224,6 @@ void LabRuns::show_speeds(const Frames& frames) {
 
 // Other runs than those of which a moment was asked for have another past.
 void LabRuns::follow_runs() {
-  if (playhead_->plays) pace_.measure(first->time, Pace::Clock::now());
-  first->realised_speed = playhead_->plays ? pace_.reached() : 0.0;
   show_speeds(frames());
   if (replayed_) return;
   const bool same = std::equal(frames_.begin(), frames_.end(), playhead_->runs.begin(), playhead_->runs.end(),

@@ -56,7 +56,15 @@ class LabRuns : public QObject {
   void show_end();
   void go_to_impact(double time);   // s: just before this impact, or the end of its step where it is there
   void go_by_impact(bool forward);  // to the next impact, or the last one; else to the end, or the start
-  void step_by(int steps);          // from what is shown; forward at the newest moment: a new step
+  // What is shown, to go back to it: at `past`, or else at the newest moment.
+  struct ShownMoment {
+    std::optional<PastMoment> past{};
+    std::optional<double> impact{};  // s, if it is the moment of one
+    bool picks_last = false;         // an impact of the last step is picked
+  };
+  [[nodiscard]] ShownMoment shown_moment() const;
+  void go_back_to(const ShownMoment& shown);
+  void step_by(int steps);  // from what is shown; forward at the newest moment: a new step
   [[nodiscard]] bool in_past() const { return playhead_.has_value(); }
   // Whether what is shown is the moment that was asked for.
   [[nodiscard]] bool there() const { return !playhead_ || playhead_->there; }
@@ -187,6 +195,7 @@ class LabRuns : public QObject {
   void step_from_impact(int steps);
   void play_past(bool playing);
   void play_past_on();
+  void begin_past_pace(double time);                           // s
   [[nodiscard]] double past_due(Pace::Clock::time_point now);  // s
   void leave_past();
   void take_shown();
@@ -195,7 +204,6 @@ class LabRuns : public QObject {
   void take_halt(const Frames& before);
   void show_stop(const MetStop& met);
   [[nodiscard]] std::optional<double> impact_of(const MetStop& met) const;
-  void begin_past_pace(double time);                           // s
   [[nodiscard]] const MetStop* stop_until(double time) const;
   void show_speeds(const Frames& frames);
   [[nodiscard]] std::shared_ptr<const Frame> with_impacts(const Frame& frame, std::size_t run) const;

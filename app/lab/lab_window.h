@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/lab/scrubbing.h"
 #include "app/lab/session.h"
 #include "physics/preset/preset.h"
 #include "widgets/theme/theme.h"
@@ -230,7 +231,7 @@ class LabWindow : public QMainWindow {
   MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
   bool theme_chosen_ = false;  // by the user
-  bool plays_after_scrub_ = false;
+  Scrubbing scrubbing_{session_.runs()};
   ToolColumn* tool_column_ = nullptr;
   QToolBar* bar_ = nullptr;
   FoldedGroup switches_;

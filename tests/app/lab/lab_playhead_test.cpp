@@ -328,6 +328,38 @@ TEST_F(LabPlayheadTest, AWrongTimeIsSaid) {
   EXPECT_FALSE(field->isVisible());
 }
 
+TEST_F(LabPlayheadTest, EscapeTakesAScrubBack) {
+  press(Qt::Key_PageUp);
+  const double impact = time();
+  const auto drag_and_escape = [this](QWidget* on, const QPoint& from, const QPoint& to) {
+    QTest::mousePress(on, Qt::LeftButton, {}, from);
+    QMouseEvent move(QEvent::MouseMove, to, on->mapToGlobal(QPointF(to)), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(on, &move);
+    ASSERT_TRUE(wait_there());
+    EXPECT_GT(time(), 0.5);
+    QTest::keyClick(&window_.scene_view(), Qt::Key_Escape);
+    ASSERT_TRUE(wait_there());
+    QMouseEvent more(QEvent::MouseMove, to + QPoint(5, 0), on->mapToGlobal(QPointF(to + QPoint(5, 0))),
+                     Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(on, &more);
+    QTest::mouseRelease(on, Qt::LeftButton, {}, to);
+    ASSERT_TRUE(wait_there());
+  };
+  const auto at = [this](double t) { return QPoint(qRound(timeline()->x_of(t)), timeline()->height() / 2); };
+  drag_and_escape(timeline(), at(0.5), at(0.8));
+  EXPECT_EQ(time(), impact);
+  EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1") << "it is picked again";
+  auto* plots = window_.findChild<PlotPanel*>();
+  plots->show_now();
+  QwtPlot* plot = plots->plots().front()->plot();
+  const auto on_plot = [plot](double t) { return QPoint(qRound(plot->transform(QwtAxis::XBottom, t)), 4); };
+  drag_and_escape(plot->canvas(), on_plot(time()), on_plot(0.8));
+  EXPECT_EQ(time(), impact);
+  press(Qt::Key_End);
+  drag_timeline(0.9, 0.5);
+  EXPECT_NEAR(time(), 0.5, 0.02) << "the next drag moves again";
+}
+
 TEST_F(LabPlayheadTest, ADoubleClickOnATickOpensTheImpact) {
   auto* panel = window_.findChild<ImpactsPanel*>();
   auto* drawer = window_.findChild<Drawer*>();
