@@ -3,93 +3,15 @@
 #include <qwt_plot.h>
 
 #include "app/lab/drawer.h"
-#include "tests/app/lab/lab_fixture.h"
-#include "tests/support/scenes.h"
+#include "tests/app/lab/lab_playhead_fixture.h"
 #include "widgets/edit/inspected.h"
 #include "widgets/run/before_after_panel.h"
 #include "widgets/run/impacts_panel.h"
 #include "widgets/run/timeline.h"
 
-// The playhead: moments of the record by keys, by the timeline and by the tables, and edits there. The
-// experiment head-on has its one impact at a third of a second and lasts one second.
+// The playhead: moments of the record by keys and by the tables, and edits there.
 namespace carom {
 namespace {
-
-class LabPlayheadTest : public LabWindowTest {
- protected:
-  void SetUp() override {
-    ASSERT_NO_FATAL_FAILURE(LabWindowTest::SetUp());
-    window_.run_until(1.0);
-    end_ = window_.frame();
-    ASSERT_EQ(end_->impact_count, 1);
-  }
-
-  LabRuns& runs() { return window_.session().runs(); }
-  Timeline* timeline() { return window_.findChild<Timeline*>(); }
-  [[nodiscard]] bool wait_there() {
-    return wait_for([this] { return runs().there() && !runs().replayed() && !window_.frame()->playing; });
-  }
-  void press(Qt::Key key) {
-    QTest::keyClick(&window_.scene_view(), key);
-    ASSERT_TRUE(wait_there());
-  }
-  QString clock() {
-    for (const QLabel* label : window_.findChildren<QLabel*>("chip")) {
-      if (label->text().startsWith("t = ")) return label->text();
-    }
-    return {};
-  }
-  QString speed_chip() {
-    for (const QLabel* label : window_.findChildren<QLabel*>("chip")) {
-      if (label->text().startsWith(QChar(0xd7))) return label->text();
-    }
-    return {};
-  }
-  // s: of the first picture shown for which `fulfilled` is true.
-  [[nodiscard]] double first_shown(const std::function<bool()>& fulfilled) {
-    std::optional<double> first;
-    const auto watch = QObject::connect(&runs(), &LabRuns::framesChanged, &window_, [&] {
-      if (!first && fulfilled()) first = time();
-    });
-    EXPECT_TRUE(wait_for([&] { return first.has_value(); }));
-    QObject::disconnect(watch);
-    return first.value_or(-1.0);
-  }
-  // From 50 ms before the impact until 50 ms after it, whichever pictures a busy machine shows.
-  void expect_slow_near_the_impact() {
-    double last_fast = time();
-    const double first_slow = first_shown([&] {
-      if (!runs().slow()) last_fast = time();
-      return runs().slow();
-    });
-    EXPECT_LT(last_fast, 0.29);
-    EXPECT_GT(first_slow, 0.275);
-    EXPECT_LT(first_slow, 0.39);
-  }
-  // The run alone, up to this step.
-  [[nodiscard]] State state_at(std::int64_t steps) const {
-    Simulation run(setup_of(window_.preset()));
-    while (run.steps() < steps) run.step();
-    return run.state();
-  }
-  void expect_step(std::int64_t steps_there) {
-    EXPECT_EQ(steps(), steps_there);
-    EXPECT_TRUE(test::same_bytes(window_.frame()->state, state_at(steps_there)));
-  }
-  void drag_timeline(double from, double to, Qt::KeyboardModifiers held = {}) {
-    const auto at = [this](double time) {
-      return QPoint(qRound(timeline()->x_of(time)), timeline()->height() / 2);
-    };
-    QTest::mousePress(timeline(), Qt::LeftButton, held, at(from));
-    QMouseEvent move(QEvent::MouseMove, at(to), timeline()->mapToGlobal(at(to)), Qt::NoButton, Qt::LeftButton,
-                     held);
-    QApplication::sendEvent(timeline(), &move);
-    QTest::mouseRelease(timeline(), Qt::LeftButton, held, at(to));
-    ASSERT_TRUE(wait_there());
-  }
-
-  std::shared_ptr<const Frame> end_;
-};
 
 TEST_F(LabPlayheadTest, KeysStepBackAndForthWithTheSameDigits) {
   const std::int64_t last = end_->steps;
@@ -166,81 +88,6 @@ TEST_F(LabPlayheadTest, AStepOntoAnImpactShowsIt) {
   EXPECT_EQ(arrows(), 0U);
 }
 
-TEST_F(LabPlayheadTest, TheTimelineScrubs) {
-  drag_timeline(0.9, 0.5);
-  EXPECT_NEAR(time(), 0.5, 0.02);
-  expect_step(steps());
-  const double before = time();
-  drag_timeline(before, before + 0.2, Qt::ShiftModifier);
-  EXPECT_NEAR(time(), before + 0.02, 0.012) << "ten times finer";
-  EXPECT_NEAR(timeline()->shown(), time(), 0.0);
-  QWheelEvent wheel({5.0, 5.0}, timeline()->mapToGlobal(QPointF(5.0, 5.0)), {}, {0, -120}, Qt::NoButton,
-                    Qt::NoModifier, Qt::NoScrollPhase, false);
-  const std::int64_t at = steps();
-  QApplication::sendEvent(timeline(), &wheel);
-  ASSERT_TRUE(wait_there());
-  expect_step(at - 1);
-}
-
-// 0.1 s of the run then take 2 s; live, and where the record is played.
-TEST_F(LabPlayheadTest, NearAnImpactItPlaysSlower) {
-  action("Slow near impacts")->trigger();
-  runs().go_to(0.25);
-  ASSERT_TRUE(wait_there());
-  runs().set_playing(true);
-  expect_slow_near_the_impact();
-  EXPECT_TRUE(wait_for([this] { return speed_chip().contains("slow near an impact"); }));
-  runs().set_playing(false);
-  window_.session().starts().restart();
-  runs().set_playing(true);
-  expect_slow_near_the_impact();
-  double last = time();
-  EXPECT_GT(first_shown([&] {
-              if (runs().slow()) last = time();
-              return !runs().slow();
-            }),
-            0.383);
-  EXPECT_LT(last, 0.39);
-}
-
-// As live.
-TEST_F(LabPlayheadTest, ALagIsSaidWhereTheRecordIsPlayed) {
-  ASSERT_TRUE(window_.open("pile"));
-  window_.run_until(15.0);
-  press(Qt::Key_Home);
-  choose_speed(20.0);
-  QTest::keyClick(&window_.scene_view(), Qt::Key_Space);
-  ASSERT_TRUE(runs().in_past());
-  bool said = false;
-  ASSERT_TRUE(wait_for([&] {
-    said = said || (runs().in_past() && speed_chip().contains(", runs at "));
-    return said || !runs().in_past();
-  }));
-  EXPECT_TRUE(said);
-  runs().set_playing(false);
-}
-
-// Pictures at 4 times the speed are 32 ms or more apart.
-TEST_F(LabPlayheadTest, NearAnImpactItPlaysSlowerHoweverFastBefore) {
-  action("Slow near impacts")->trigger();
-  choose_speed(4.0);
-  runs().go_to_start();
-  ASSERT_TRUE(wait_there());
-  runs().set_playing(true);
-  expect_slow_near_the_impact();
-  runs().set_playing(false);
-  window_.session().starts().restart();
-  runs().set_playing(true);
-  expect_slow_near_the_impact();
-}
-
-TEST_F(LabPlayheadTest, AClickOnATickGoesToTheImpact) {
-  const QPoint at(qRound(timeline()->x_of(1.0 / 3.0)) + 2, timeline()->height() / 2);
-  QTest::mouseClick(timeline(), Qt::LeftButton, {}, at);
-  ASSERT_TRUE(wait_there());
-  EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
-}
-
 TEST_F(LabPlayheadTest, AClickOnItsMarkInSceneOrPlotGoesToTheImpact) {
   runs().go_to(0.45);
   ASSERT_TRUE(wait_there());
@@ -289,107 +136,6 @@ TEST_F(LabPlayheadTest, TheHeadOfThePlotsLineScrubs) {
   EXPECT_NEAR(time(), before + 0.02, 0.012) << "ten times finer";
   drag(time(), 2.0);
   EXPECT_FALSE(runs().in_past()) << "past the end is the newest moment";
-}
-
-TEST_F(LabPlayheadTest, ATimeCanBeTyped) {
-  QTest::mouseDClick(timeline(), Qt::LeftButton, {}, {40, timeline()->height() / 2});
-  auto* field = timeline()->findChild<QLineEdit*>();
-  ASSERT_TRUE(field->isVisible());
-  QTest::keyClicks(field, "250 ms");
-  QTest::keyClick(field, Qt::Key_Return);
-  ASSERT_TRUE(wait_there());
-  EXPECT_NEAR(time(), 0.25, 0.011);
-  EXPECT_FALSE(field->isVisible());
-}
-
-// The field stays, red, and says why; Escape and a click elsewhere leave it.
-TEST_F(LabPlayheadTest, AWrongTimeIsSaid) {
-  QTest::mouseDClick(timeline(), Qt::LeftButton, {}, {40, timeline()->height() / 2});
-  auto* field = timeline()->findChild<QLineEdit*>();
-  QTest::keyClicks(field, "soon");
-  QTest::keyClick(field, Qt::Key_Return);
-  EXPECT_TRUE(field->isVisible());
-  EXPECT_TRUE(field->property("fault").toBool());
-  EXPECT_FALSE(field->toolTip().isEmpty());
-  field->selectAll();
-  QTest::keyClicks(field, "7 s");
-  EXPECT_FALSE(field->property("fault").toBool()) << "it is typed anew";
-  QTest::keyClick(field, Qt::Key_Return);
-  EXPECT_TRUE(field->isVisible());
-  EXPECT_TRUE(field->toolTip().contains("The record goes from 0 to 1 s.")) << field->toolTip().toStdString();
-  EXPECT_FALSE(runs().in_past());
-  field->selectAll();
-  QTest::keyClicks(field, "1");
-  QTest::keyClick(field, Qt::Key_Return);
-  EXPECT_FALSE(field->isVisible());
-  QTest::mouseDClick(timeline(), Qt::LeftButton, {}, {40, timeline()->height() / 2});
-  QTest::keyClicks(field, "0.5");
-  window_.scene_view().setFocus();
-  EXPECT_FALSE(field->isVisible());
-}
-
-TEST_F(LabPlayheadTest, EscapeTakesAScrubBack) {
-  press(Qt::Key_PageUp);
-  const double impact = time();
-  const auto drag_and_escape = [this](QWidget* on, const QPoint& from, const QPoint& to) {
-    QTest::mousePress(on, Qt::LeftButton, {}, from);
-    QMouseEvent move(QEvent::MouseMove, to, on->mapToGlobal(QPointF(to)), Qt::NoButton, Qt::LeftButton, {});
-    QApplication::sendEvent(on, &move);
-    ASSERT_TRUE(wait_there());
-    EXPECT_GT(time(), 0.5);
-    QTest::keyClick(&window_.scene_view(), Qt::Key_Escape);
-    ASSERT_TRUE(wait_there());
-    QMouseEvent more(QEvent::MouseMove, to + QPoint(5, 0), on->mapToGlobal(QPointF(to + QPoint(5, 0))),
-                     Qt::NoButton, Qt::LeftButton, {});
-    QApplication::sendEvent(on, &more);
-    QTest::mouseRelease(on, Qt::LeftButton, {}, to);
-    ASSERT_TRUE(wait_there());
-  };
-  const auto at = [this](double t) { return QPoint(qRound(timeline()->x_of(t)), timeline()->height() / 2); };
-  drag_and_escape(timeline(), at(0.5), at(0.8));
-  EXPECT_EQ(time(), impact);
-  EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1") << "it is picked again";
-  auto* plots = window_.findChild<PlotPanel*>();
-  plots->show_now();
-  QwtPlot* plot = plots->plots().front()->plot();
-  const auto on_plot = [plot](double t) { return QPoint(qRound(plot->transform(QwtAxis::XBottom, t)), 4); };
-  drag_and_escape(plot->canvas(), on_plot(time()), on_plot(0.8));
-  EXPECT_EQ(time(), impact);
-  press(Qt::Key_End);
-  drag_timeline(0.9, 0.5);
-  EXPECT_NEAR(time(), 0.5, 0.02) << "the next drag moves again";
-}
-
-TEST_F(LabPlayheadTest, ADoubleClickOnATickOpensTheImpact) {
-  auto* panel = window_.findChild<ImpactsPanel*>();
-  auto* drawer = window_.findChild<Drawer*>();
-  drawer->set_folded(true);
-  const QPoint at(qRound(timeline()->x_of(1.0 / 3.0)), timeline()->height() / 2);
-  QTest::mouseClick(timeline(), Qt::LeftButton, {}, at);
-  QTest::mouseDClick(timeline(), Qt::LeftButton, {}, at);
-  ASSERT_TRUE(wait_there());
-  EXPECT_TRUE(drawer->shows(panel));
-  ASSERT_EQ(panel->table().model()->rowCount(), 1);
-  EXPECT_EQ(panel->table().currentIndex().row(), 0);
-  EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
-  EXPECT_FALSE(timeline()->findChild<QLineEdit*>()->isVisible());
-  // The moment is just before it: the row is not pale as one that lies ahead.
-  const auto* impacts = static_cast<const FigureModel*>(panel->table().model());
-  EXPECT_FALSE(impacts->is_idle(0, 0));
-  press(Qt::Key_Home);
-  EXPECT_TRUE(impacts->is_idle(0, 0));
-}
-
-// Where the clock keeps its time, there is nothing before the start.
-TEST_F(LabPlayheadTest, TheTimelineIsFilledFromTheStartOn) {
-  const auto filled = [this](double t) {
-    const QImage image = timeline()->grab().toImage();
-    return image.pixelColor(qRound(timeline()->x_of(t)), timeline()->height() / 2);
-  };
-  EXPECT_EQ(filled(0.1), light_theme().accent);
-  timeline()->set_start(0.3);
-  EXPECT_NE(filled(0.1), light_theme().accent);
-  EXPECT_EQ(filled(0.6), light_theme().accent);
 }
 
 TEST_F(LabPlayheadTest, ARowOfTheImpactsGoesToItsMoment) {
