@@ -147,7 +147,8 @@ void SceneTools::frame_changed() {
   if (!frame) drop_draft();
   if (first_end_ && !first_end_->body.empty() && !index_.contains(first_end_->body)) first_end_.reset();
   if (part_ && (!frame || (frame->scene && !has_part(*frame->scene, *part_)))) choose(std::nullopt);
-  if (!frame || !frame->scene) end_note();
+  // What is said of a value ends as the run goes on; a sentence on what can't be stays.
+  if (!frame || (!frame->scene && note_of_)) end_note();
   const bool draws = frame && typing_ && typing_->drawing;
   const bool typed = frame && frame->scene && typing_ &&
                      (typing_->target.body.empty() ? part_.has_value() : index_.contains(typing_->target.body));

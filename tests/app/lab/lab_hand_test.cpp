@@ -86,6 +86,10 @@ TEST_F(LabHandTest, AFixedBodyIsNotMoved) {
   EXPECT_EQ(window_.scene_view().bubble().value, "fixed; pause to move it");
   EXPECT_FALSE(window_.frame()->hand);
   release_at(inside);
+  const double said = time();
+  ASSERT_TRUE(wait_for([&] { return time() > said + 0.1; }));
+  EXPECT_TRUE(window_.frame()->playing);
+  EXPECT_EQ(window_.scene_view().bubble().value, "fixed; pause to move it") << "as the run goes on";
   EXPECT_TRUE(undo_text().startsWith("Run"));
 }
 
