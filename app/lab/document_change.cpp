@@ -1,5 +1,6 @@
 #include "app/lab/document_change.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -7,9 +8,11 @@
 #include <utility>
 
 #include "app/lab/new_parts.h"
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/start_fingerprint.h"
 #include "physics/scene/edit_rules.h"
 #include "physics/scene/facts.h"
+#include "widgets/base/method_names.h"
 #include "widgets/edit/inspected.h"
 #include "widgets/plot/plot_content.h"
 
@@ -287,6 +290,19 @@ DocumentChange change_of_methods(const Document& document, const Scene& scene) {
   DocumentChange change;
   limit_methods(document, scene, change);
   return change;
+}
+
+QString said_of_methods(const Document& document, const DocumentChange& change, const Scene& scene) {
+  const Methods before = document.methods();
+  for (const auto& [run, method] : methods_changed(document, change)) {
+    const IntegratorId lost = (run == 0 ? before.own : before.others[run - 1]).integrator;
+    const std::string with = what_prevents(scene, lost);
+    if (lost == method.integrator || with.empty()) continue;
+    return QCoreApplication::translate("DocumentChange", "%1 can't have %2: %3 instead.")
+        .arg(text_of(choice_of(kIntegrators, lost).label), text_of(with),
+             text_of(choice_of(kIntegrators, method.integrator).label));
+  }
+  return {};
 }
 
 std::vector<std::pair<std::size_t, Method>> methods_changed(const Document& document,

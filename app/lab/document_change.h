@@ -109,6 +109,10 @@ DocumentChange apply_change(Document& document, const DocumentChange& change);
 // The change to the methods that such a scene allows, where those of the document are not: RK4 instead of exact
 // flight, and another reference.
 [[nodiscard]] DocumentChange change_of_methods(const Document& document, const Scene& scene);
+// The sentence on the methods that such a change sets because the scene does not allow those of the document;
+// empty if there are none.
+[[nodiscard]] QString said_of_methods(const Document& document, const DocumentChange& change,
+                                      const Scene& scene);
 // The methods of the document's runs, as many before as after, that such a change will replace, by their runs.
 [[nodiscard]] std::vector<std::pair<std::size_t, Method>> methods_changed(const Document& document,
                                                                           const DocumentChange& change);

@@ -86,6 +86,7 @@ bool DocumentEdit::mergeWith(const QUndoCommand* later) {
   what_.begins = what_.begins || other.what_.begins;
   if (what_.left == 0) what_.left = other.what_.left;
   if (what_.leaves == nullptr) what_.leaves = other.what_.leaves;
+  if (what_.said.isEmpty()) what_.said = other.what_.said;
   take_up(what_.asked, other.what_.asked);
   if (covers(next_, other.next_)) return true;
   DocumentChange both = other.next_;

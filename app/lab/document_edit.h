@@ -32,6 +32,7 @@ class DocumentEdit : public QUndoCommand {
     std::shared_ptr<const Start> leaves{};  // the start before it, if it is another one then
     std::shared_ptr<LabRuns::Entered> run{};  // it is a run
     SceneEdits asked{};                       // of the moment that became the new start
+    QString said{};                           // what it changed unasked, in one sentence; empty: nothing
   };
 
   DocumentEdit(EditHistory& history, const What& what, DocumentChange back);

@@ -35,6 +35,8 @@ void EditHistory::push(const DocumentEdit::What& what, const DocumentChange& cha
   const ReferenceId before = document_.reference;
   stack_.push(new DocumentEdit(*this, made, assign(change, what.begins)));
   if (!what.begins && before != document_.reference) runs_.worker().set_reference(document_.reference);
+  const QString said = made.drag && made.said.isEmpty() ? last_edit()->what().said : made.said;
+  if (!said.isEmpty()) emit editSaid(said);
 }
 
 DocumentChange EditHistory::assign(const DocumentChange& change, bool begins) {

@@ -68,6 +68,7 @@ class EditHistory : public QObject {
   void plotsChanged();   // of the document, or which theories on them are of another scene
   void runsReturned();   // undo or redo shows runs as they were
   void editRefused(const QString& why);
+  void editSaid(const QString& sentence);  // what an edit changed unasked; after documentChanged
   void selectionReturned(const std::vector<std::string>& names);
 
  private:

@@ -33,7 +33,8 @@ void HandEdits::pull(const Hand& hand) {
       {.text =
            tr("Throw %1 at %2 s").arg(QString::fromStdString(hand.body)).arg(runs_.frame()->time, 0, 'f', 3),
        .runs = edit,
-       .is_work = !methods.empty()},
+       .is_work = !methods.empty(),
+       .said = said_of_methods(history_.document(), change, scene)},
       change);
   edit_ = edit;
 }

@@ -103,6 +103,10 @@ void LabWindow::connect_edits() {
   });
   connect(view_, &SceneView::selectionChanged, this, &LabWindow::forget_refusal);
   connect(view_, &SceneView::partChosen, this, &LabWindow::forget_refusal);
+  connect(&session_.history(), &EditHistory::editSaid, this, [this](const QString& sentence) {
+    said_of_edit_ = sentence;
+    say_for_a_while(sentence);
+  });
   connect(&session_.history(), &EditHistory::editRefused, this, [this](const QString& why) {
     if (view_->refuse(why)) return;
     const bool typed_in_table = sheet_->isAncestorOf(QApplication::focusWidget());
@@ -169,6 +173,7 @@ void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int dr
   if (session_.history().revision() == before) return;
   keep_selected(edits);
   if (sentence.isEmpty()) return;
+  if (!said_of_edit_.isEmpty()) sentence += " " + said_of_edit_;
   said_of_edit_ = sentence;
   say_for_a_while(sentence);
 }

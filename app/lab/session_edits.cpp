@@ -85,6 +85,7 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
     validate(changed.preset);
     DocumentEdit::What what{.text = text, .begins = begins || from_here};
     if (drag > 0) what.drag = drag;
+    what.said = said_of_methods(before, change, changed.preset.scene);
     if (from_here || (begins && goes_on_with_new_start(drag))) name_new_start(time, edits, text, change, what);
     runs().forget_wait();
     if (!what.begins) {

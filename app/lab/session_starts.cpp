@@ -153,7 +153,9 @@ void SessionStarts::leave(const QString& text, const Start& start) {
   DocumentEdit::What what{.text = text, .begins = true};
   what.leaves = std::make_shared<const Start>(start_of(history_.document()));
   if (runs_.have_begun()) what.left = runs_.keep();
-  history_.push(what, change_to_start(history_.document(), start));
+  const DocumentChange change = change_to_start(history_.document(), start);
+  what.said = said_of_methods(history_.document(), change, start.scene);
+  history_.push(what, change);
   runs_.begin();
 }
 
@@ -206,6 +208,7 @@ void SessionStarts::put_into_start_before() {
     history_.stack().setIndex(place);
     DocumentEdit::What what{.text = by, .begins = true};
     what.left = runs_.keep();
+    what.said = said_of_methods(before, change, changed.preset.scene);
     history_.push(what, change);
     runs_.begin();
   } catch (const std::exception& error) {

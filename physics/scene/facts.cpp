@@ -93,8 +93,8 @@ SceneFacts facts_of(const Scene& scene) {
   return facts;
 }
 
-std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator) {
-  if (integrator != IntegratorId::kExactFlight) return std::nullopt;
+std::string what_prevents(const Scene& scene, IntegratorId integrator) {
+  if (integrator != IntegratorId::kExactFlight) return {};
   const SceneFacts f = facts_of(scene);
   std::vector<std::string> with(f.common_forces.begin(), f.common_forces.end());
   if (f.springs) with.emplace_back("springs");
@@ -102,10 +102,15 @@ std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator) 
   if (f.sticky) with.emplace_back("surfaces that stick");
   if (f.hand) with.emplace_back("a hand that pulls");
   if (f.timed) with.emplace_back("forces that start, rise or end");
+  return fmt::format("{}", fmt::join(with, " and "));
+}
+
+std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator) {
+  const std::string with = what_prevents(scene, integrator);
   if (with.empty()) return std::nullopt;
   return fmt::format(
       "exact flight is not possible with {}; allowed: gravity and constant forces alone, or another integrator",
-      fmt::join(with, " and "));
+      with);
 }
 
 }  // namespace carom

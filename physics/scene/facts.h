@@ -36,6 +36,9 @@ struct SceneFacts {
 
 [[nodiscard]] SceneFacts facts_of(const Scene& scene);
 
+// What of the scene this integrator cannot run, as "springs and drag"; empty if it can run it all.
+[[nodiscard]] std::string what_prevents(const Scene& scene, IntegratorId integrator);
+
 // Why this integrator cannot run the scene, with "allowed: ..."; nothing if it can. Exact flight needs a
 // flight in closed form.
 [[nodiscard]] std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator);

@@ -15,6 +15,8 @@ class SessionEditTest : public SessionFixture {
   SessionEditTest() {
     QObject::connect(&session_.history(), &EditHistory::editRefused,
                      [this](const QString& why) { refused_ = why; });
+    QObject::connect(&session_.history(), &EditHistory::editSaid,
+                     [this](const QString& sentence) { said_ = sentence; });
     open(two_discs());
   }
   void open(const Preset& preset) {
@@ -36,6 +38,7 @@ class SessionEditTest : public SessionFixture {
   [[nodiscard]] std::string document() const { return write_preset(session_.document()); }
 
   QString refused_;
+  QString said_;
 };
 
 }  // namespace carom

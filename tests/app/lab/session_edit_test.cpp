@@ -234,6 +234,7 @@ TEST_F(SessionEditTest, AMethodThatBecomesImpossibleChangesWithTheEdit) {
   edit(SetForces{.gravity = {0.0, 0.0}, .linear_drag = 1.0}, "Drag");
   EXPECT_EQ(session_.document().method.integrator, IntegratorId::kRk4);
   EXPECT_EQ(session_.runs().frame()->method.integrator, IntegratorId::kRk4);
+  EXPECT_EQ(said_, "Exact flight can't have drag: RK4 instead.");
   run_to(0.4);
   EXPECT_NEAR(now("left").velocity.x(), std::exp(-0.2), 1e-8);
   undo();
