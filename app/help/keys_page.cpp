@@ -24,6 +24,18 @@ constexpr auto kSelectionKeys = std::to_array<KeyText>({
      QT_TRANSLATE_NOOP("KeysPage", "reverse the velocity and the spin")},
 });
 
+    {Qt::Key_L, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "L"),
+     QT_TRANSLATE_NOOP("KeysPage", "lock them, or unlock them")},
+    {Qt::Key_F2, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "F2"),
+     QT_TRANSLATE_NOOP("KeysPage", "type the name of a single one")},
+    {Qt::Key_Tab, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "Tab, Shift+Tab"),
+     QT_TRANSLATE_NOOP("KeysPage", "select the next body, the one before")},
+    {Qt::Key_Enter, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "Enter"),
+     QT_TRANSLATE_NOOP("KeysPage", "with a tool in hand, draw or join")},
+    {Qt::Key_Escape, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "Esc"),
+     QT_TRANSLATE_NOOP("KeysPage", "take a drag back; put the tool away; select nothing")},
+    {Qt::Key_F10, Qt::ShiftModifier, QT_TRANSLATE_NOOP("KeysPage", "Shift+F10"),
+     QT_TRANSLATE_NOOP("KeysPage", "the menu of what is selected")},
 QString tr(const char* text) { return QCoreApplication::translate("KeysPage", text); }
 
 QString plain(QString text) { return text.remove('&').replace('|', "\\|"); }
@@ -46,6 +58,8 @@ QString rows_of(const QMenu& menu) {
       rows += row(plain(keys_of(*action)), plain(action->text()));
     }
   }
+    } else if (const QStringList named = action->text().split('\t'); named.size() == 2) {
+      rows += row(plain(named[1]), plain(named[0]));  // a key of the scene
   return rows;
 }
 

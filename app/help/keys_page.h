@@ -7,7 +7,7 @@ class QMenuBar;
 
 namespace carom {
 
-// Keys that no menu has, and what they do.
+// Keys of the scene that no menu has, and what they do.
 struct KeyText {
   int key;  // one of them
   Qt::KeyboardModifiers modifiers;

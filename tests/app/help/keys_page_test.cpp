@@ -29,15 +29,28 @@ TEST_F(KeysPage, HasEachShortcutOfTheMenus) {
   EXPECT_TRUE(page.contains("| B | Box |"));
 }
 
-// The keys that no menu has are those that edit bodies, all of them.
+// A key that the scene has, which its menu only names.
+TEST_F(KeysPage, HasTheKeysThatMenusName) {
+  const QString page = keys_page(*window_.menuBar());
+  EXPECT_TRUE(page.contains("| Del | Delete |")) << page.toStdString();
+  EXPECT_TRUE(page.contains("| Ctrl+A | Select all |"));
+  EXPECT_TRUE(page.contains("| K | Put in touch |"));
+}
+
+// The keys that no menu has: all that edit bodies, and the others of the scene.
 TEST_F(KeysPage, HasTheKeysOfSelectedBodies) {
   std::set<KeyEdit> told;
+  std::set<int> keys;
   for (const KeyText& each : selection_keys()) {
-    const std::optional<KeyEdit> edit = key_edit(each.key, each.modifiers);
-    ASSERT_TRUE(edit) << each.keys;
-    told.insert(*edit);
+    if (const std::optional<KeyEdit> edit = key_edit(each.key, each.modifiers)) told.insert(*edit);
+    keys.insert(each.key);
   }
   EXPECT_EQ(told.size(), 6U);
+  for (const int key : {Qt::Key_L, Qt::Key_F2, Qt::Key_Tab, Qt::Key_Enter, Qt::Key_Escape, Qt::Key_F10})
+    EXPECT_TRUE(keys.contains(key)) << key;
+  const QString page = keys_page(*window_.menuBar());
+  for (const char* row : {"| L |", "| F2 |", "| Tab, Shift+Tab |", "| Enter |", "| Esc |", "| Shift+F10 |"})
+    EXPECT_TRUE(page.contains(row)) << row;
 }
 
 TEST_F(KeysPage, IsOpenedByItsKey) {
