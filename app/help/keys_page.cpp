@@ -17,13 +17,13 @@ constexpr auto kSelectionKeys = std::to_array<KeyText>({
      QT_TRANSLATE_NOOP("KeysPage", "velocity by 0.1 m/s; with Shift 1 m/s")},
     {Qt::Key_BracketLeft, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "[ and ]"),
      QT_TRANSLATE_NOOP("KeysPage", "turn by 5°; with Shift 45°")},
+    {Qt::Key_Less, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "< and >"),
+     QT_TRANSLATE_NOOP("KeysPage", "turn by 5°")},
     {Qt::Key_Plus, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "+ and −"),
      QT_TRANSLATE_NOOP("KeysPage", "larger and smaller by 5 %; with nothing selected they zoom")},
     {Qt::Key_0, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "0"), QT_TRANSLATE_NOOP("KeysPage", "to rest")},
     {Qt::Key_X, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "X"),
      QT_TRANSLATE_NOOP("KeysPage", "reverse the velocity and the spin")},
-});
-
     {Qt::Key_L, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "L"),
      QT_TRANSLATE_NOOP("KeysPage", "lock them, or unlock them")},
     {Qt::Key_F2, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "F2"),
@@ -36,6 +36,8 @@ constexpr auto kSelectionKeys = std::to_array<KeyText>({
      QT_TRANSLATE_NOOP("KeysPage", "take a drag back; put the tool away; select nothing")},
     {Qt::Key_F10, Qt::ShiftModifier, QT_TRANSLATE_NOOP("KeysPage", "Shift+F10"),
      QT_TRANSLATE_NOOP("KeysPage", "the menu of what is selected")},
+});
+
 QString tr(const char* text) { return QCoreApplication::translate("KeysPage", text); }
 
 QString plain(QString text) { return text.remove('&').replace('|', "\\|"); }
@@ -56,10 +58,10 @@ QString rows_of(const QMenu& menu) {
       rows += rows_of(*action->menu());
     } else if (!action->shortcuts().isEmpty()) {
       rows += row(plain(keys_of(*action)), plain(action->text()));
-    }
-  }
     } else if (const QStringList named = action->text().split('\t'); named.size() == 2) {
       rows += row(plain(named[1]), plain(named[0]));  // a key of the scene
+    }
+  }
   return rows;
 }
 

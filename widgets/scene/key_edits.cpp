@@ -38,7 +38,12 @@ Vec2 arrow_of(int key) {
   }
 }
 
-bool turns_left(int key) { return key == Qt::Key_BracketLeft || key == Qt::Key_BraceLeft; }
+bool turns_left(int key) {
+  return key == Qt::Key_BracketLeft || key == Qt::Key_BraceLeft || key == Qt::Key_Less;
+}
+
+// Which of < and > is typed with Shift depends on the keyboard.
+bool is_sign(int key) { return key == Qt::Key_Less || key == Qt::Key_Greater; }
 
 // A sum that stays round if it was.
 double stepped(double value, double change, double step) {
@@ -102,6 +107,8 @@ std::optional<KeyEdit> key_edit(int key, Qt::KeyboardModifiers modifiers) {
     case Qt::Key_BracketRight:
     case Qt::Key_BraceLeft:
     case Qt::Key_BraceRight:
+    case Qt::Key_Less:
+    case Qt::Key_Greater:
       return ctrl ? std::nullopt : std::optional(KeyEdit::kTurn);
     case Qt::Key_Plus:
     case Qt::Key_Equal:
@@ -132,7 +139,8 @@ std::vector<Body> edited_by_key(std::span<const Body> bodies, int key, Qt::Keybo
         body.velocity = stepped(body.velocity, times * kSpeedStep * arrow_of(key), kSpeedStep);
         break;
       case KeyEdit::kTurn: {
-        const double by = (turns_left(key) ? 1.0 : -1.0) * (shift ? kLargeTurnStep : kTurnStep);
+        const double by =
+            (turns_left(key) ? 1.0 : -1.0) * (shift && !is_sign(key) ? kLargeTurnStep : kTurnStep);
         body.angle = stepped(body.angle * 180.0 / std::numbers::pi, by, kTurnStep) * std::numbers::pi / 180.0;
         break;
       }

@@ -16,8 +16,7 @@ namespace carom {
 enum class KeyEdit { kMove, kVelocity, kTurn, kResize, kRest, kReverse };
 
 // What a key does to the selected bodies: arrows, with Ctrl for the velocity and with Shift ten times as much;
-// [ and ], which turn to the left
-// and right; + and - for the size; 0; X. Nothing for other keys.
+// [ and ], also < and >, which turn to the left and right; + and - for the size; 0; X. Nothing for other keys.
 [[nodiscard]] std::optional<KeyEdit> key_edit(int key, Qt::KeyboardModifiers modifiers);
 // The bodies after it; `grid` is the step of a move in m.
 [[nodiscard]] std::vector<Body> edited_by_key(std::span<const Body> bodies, int key,

@@ -36,6 +36,15 @@ TEST_F(KeyEditsTest, BracketsTurn) {
   EXPECT_NEAR(after(Qt::Key_BraceLeft, Qt::ShiftModifier).angle, 45.0 * std::numbers::pi / 180.0, 1e-15);
 }
 
+// Which of the two is typed with Shift depends on the keyboard.
+TEST_F(KeyEditsTest, LessAndGreaterTurn) {
+  for (const auto keys : {Qt::NoModifier, Qt::ShiftModifier}) {
+    EXPECT_NEAR(after(Qt::Key_Less, keys).angle, 5.0 * std::numbers::pi / 180.0, 1e-15);
+    EXPECT_NEAR(after(Qt::Key_Greater, keys).angle, -5.0 * std::numbers::pi / 180.0, 1e-15);
+  }
+  EXPECT_FALSE(key_edit(Qt::Key_Greater, Qt::ControlModifier | Qt::ShiftModifier));
+}
+
 TEST_F(KeyEditsTest, RestAndReverse) {
   EXPECT_EQ(after(Qt::Key_0).velocity, Vec2(0.0, 0.0));
   EXPECT_EQ(after(Qt::Key_0).spin, 0.0);
