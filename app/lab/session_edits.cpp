@@ -157,9 +157,8 @@ std::string Session::add_body(double x, double y, std::optional<double> radius) 
   Body body = new_body(history_.bodies(), disc, {x, y});
   body.id.number = preset.scene.ids_given + 1;
   const SceneEdits edits = {Add<Body>{body}};
-  const QString text = tr("Add disc %1").arg(QString::fromStdString(body.name));
   if (runs().at_start()) {
-    edit(edits, text);
+    edit(edits, tr("Add disc %1").arg(QString::fromStdString(body.name)));
     return body.name;
   }
   if (!history_.may_edit_moment()) return {};
@@ -171,7 +170,7 @@ std::string Session::add_body(double x, double y, std::optional<double> radius) 
   validate(with);
   history_.count_id();
   std::vector<RunEdit> late = history_.edits_left();
-  DocumentEdit::What what{.text = text};
+  DocumentEdit::What what{.text = tr("Drop disc at %1 s").arg(QString::number(std::round(1e3 * now) / 1e3))};
   history_.cut_at_shown(what);
   what.runs = runs().worker().edit_scene(edits, what.runs);
   add_edit(late, {now, what.runs, edits});

@@ -399,7 +399,7 @@ TEST_F(LabWindowTest, EditsAreUndoneFromTheMenu) {
   trigger(undo);
   EXPECT_FALSE(plots->shows("ledger"));
   EXPECT_TRUE(action("Redo Add plot")->isEnabled());
-  EXPECT_TRUE(action("Undo Add disc A")->isEnabled());
+  EXPECT_TRUE(action("Undo Drop disc at 0.1 s")->isEnabled());
   trigger(undo);
   ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
   EXPECT_EQ(window_.preset().scene.bodies.size(), 2U);

@@ -119,7 +119,7 @@ const std::vector<Case>& cases() {
       {"AddedMethod", "Add method Explicit Euler", [](Session& s) { s.methods().add(euler(s, 0.004)); }},
       {"RemovedMethod", "Remove method Explicit Euler", [](Session& s) { s.methods().remove(1); }},
       {"Reference", "Reference", [](Session& s) { s.methods().choose_reference(ReferenceId::kNone); }, false},
-      {"Body", "Add disc A", [](Session& s) { s.add_body(0.3, 1.5); }},
+      {"Body", "Drop disc at 0.3 s", [](Session& s) { s.add_body(0.3, 1.5); }},
       {"Plots", "Remove plot", [](Session& s) { s.change_plots({named("energy")}); }, false},
       {"Notes", "Notes of a plot",
        [](Session& s) {
