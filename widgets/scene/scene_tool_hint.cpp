@@ -35,13 +35,18 @@ QString SceneTools::hint(const QPointF& at) const {
   if (!over_ || !sight.frame) return {};
   if (state_ == State::kDrag) return tr("Ctrl: no snapping · digits: type the value · Esc: back");
   if (state_ == State::kHand) return tr("let go: throw it");
-  if (state_ == State::kEnd) return tr("to a body or a place · Ctrl: no snapping · Esc: back");
+  const bool force = part_ && std::holds_alternative<Id<AppliedForce>>(*part_);
+  if (state_ == State::kEnd)
+    return force ? tr("Shift: one axis · Ctrl: no snapping · digits: type the force · Esc: back")
+                 : tr("to a body or a place · Ctrl: no snapping · digits: type the length · Esc: back");
   if (state_ == State::kBand) return tr("Shift: add · Ctrl: take away · Esc: back");
   if (state_ == State::kDraw) return {};  // the tool's own words hold
   // With a tool in hand a body is taken hold of as ever, where the tool leaves it alone.
   const std::optional<Grab> grab = grab_at(at);
   if (tool_ != SceneTool::kSelect && !grab) return {};
-  if (end_under(at)) return tr("drag: to another body or place");
+  if (end_under(at) && sight.frame->scene)
+    return force ? tr("drag: size and direction · Shift: one axis · double click: type it")
+                 : tr("drag: to another body or place · double click: type the length");
   if (mark_under(at)) return tr("click: go to this impact");
   if (!grab && part_under(at)) return tr("click: select · right click: menu");
   if (!grab) return tr("drag: select bodies · right drag: pan · wheel: zoom");

@@ -124,5 +124,36 @@ TEST_F(PartEndsTest, WhatCannotBeChangesNothing) {
   EXPECT_TRUE(told_.empty());
 }
 
+TEST_F(PartEndsTest, TheHintSaysThatALengthCanBeTyped) {
+  QString hint;
+  QObject::connect(&view_, &SceneView::hintChanged, [&](const QString& text) { hint = text; });
+  joint(JointKind::kRod, std::nullopt);
+  QTest::mouseMove(&view_, plane_end_);
+  EXPECT_EQ(hint, "drag: to another body or place · double click: type the length");
+  press(plane_end_);
+  move(plane_end_ + QPoint(10, 10));
+  EXPECT_EQ(hint, "to a body or a place · Ctrl: no snapping · digits: type the length · Esc: back");
+  release(plane_end_ + QPoint(10, 10));
+}
+
+TEST_F(PartEndsTest, TheHintOfAForceSaysWhatItsTipDoes) {
+  QString hint;
+  QObject::connect(&view_, &SceneView::hintChanged, [&](const QString& text) { hint = text; });
+  AppliedForce force;
+  force.body = "A";
+  force.force = Vec2(0.0, 10.0);
+  scene_.forces.applied = {force};
+  give_ids(scene_);
+  show(true);
+  view_.choose_part(scene_.forces.applied.front().id);
+  const QPoint tip = view_.camera().to_screen(view_.drawing().arrows.back().to.cast<double>()).toPoint();
+  QTest::mouseMove(&view_, tip);
+  EXPECT_EQ(hint, "drag: size and direction · Shift: one axis · double click: type it");
+  press(tip);
+  move(tip + QPoint(10, 10));
+  EXPECT_EQ(hint, "Shift: one axis · Ctrl: no snapping · digits: type the force · Esc: back");
+  release(tip + QPoint(10, 10));
+}
+
 }  // namespace
 }  // namespace carom
