@@ -8,7 +8,6 @@
 #include <cmath>
 #include <qwt_axis.h>
 #include <qwt_plot.h>
-#include <qwt_plot_canvas.h>
 #include <qwt_plot_curve.h>
 #include <qwt_plot_grid.h>
 #include <qwt_plot_layout.h>
@@ -25,6 +24,7 @@
 #include "widgets/plot/legend_row.h"
 #include "widgets/plot/plot_axes.h"
 #include "widgets/plot/plot_before.h"
+#include "widgets/plot/plot_canvas.h"
 #include "widgets/plot/plot_gestures.h"
 #include "widgets/plot/plot_impacts.h"
 #include "widgets/plot/plot_labels.h"
@@ -122,9 +122,8 @@ void RunPlot::build_plot() {
   if (content_.shows != PlotContent::Shows::kLines) {
     distribution_ = std::make_unique<Distribution>(content_.shows, plot_, this);
   }
-  auto* canvas = static_cast<QwtPlotCanvas*>(plot_->canvas());
-  canvas->setFrameStyle(QFrame::NoFrame);
-  canvas->setFocusIndicator(QwtPlotCanvas::CanvasFocusIndicator);
+  auto* canvas = new PlotCanvas(plot_);
+  plot_->setCanvas(canvas);
   canvas->setCursor(Qt::CrossCursor);
   canvas->setToolTip(
       tr("Wheel: zoom in time. Ctrl+wheel: zoom the values. Ctrl+drag: zoom to a box.\n"
@@ -178,6 +177,7 @@ void RunPlot::build_plot() {
 void RunPlot::set_theme(const Theme& theme) {
   theme_ = theme;
   plot_->setCanvasBackground(theme.panel);
+  static_cast<PlotCanvas*>(plot_->canvas())->set_focus_color(theme.accent);
   grid_->setPen(theme.grid, 1.0);
   cursor_->setLinePen(theme.muted, 1.0, Qt::DashLine);
   playhead_->set_color(theme.text);

@@ -461,5 +461,25 @@ TEST_F(PlotPanelTest, HiddenItDoesNothing) {
   EXPECT_EQ(plot(0)->time_range(), QwtInterval(0.0, 2.0));
 }
 
+// As a frame about it, which leaves its ground as it is.
+TEST_F(PlotPanelTest, APlotWithTheFocusHasAFrame) {
+  show(run_to(head_on_scene(), 0.45, panel.curves()));
+  QWidget* canvas = plot(0)->plot()->canvas();
+  const QPoint ground(canvas->width() / 2, 6);
+  for (const Theme& theme : {light_theme(), dark_theme()}) {
+    panel.set_theme(theme);
+    canvas->clearFocus();
+    EXPECT_NE(canvas->grab().toImage().pixelColor(0, canvas->height() / 2), theme.accent);
+    panel.activateWindow();
+    canvas->setFocus();
+    QApplication::processEvents();
+    ASSERT_TRUE(canvas->hasFocus());
+    const QImage focused = canvas->grab().toImage();
+    EXPECT_EQ(focused.pixelColor(ground), theme.panel);
+    for (const int x : {0, 1}) EXPECT_EQ(focused.pixelColor(x, canvas->height() / 2), theme.accent) << x;
+    EXPECT_NE(focused.pixelColor(2, canvas->height() / 2), theme.accent);
+  }
+}
+
 }  // namespace
 }  // namespace carom
