@@ -107,6 +107,7 @@ class LabRuns : public QObject {
   [[nodiscard]] std::optional<double> replayed() const { return replayed_; }
   // Whether they have left the start, or are about to.
   [[nodiscard]] bool have_begun() const;
+  [[nodiscard]] double duration() const { return document_.preset.duration; }  // s, of the document
   // Whether the next step would pass the document's duration.
   [[nodiscard]] bool at_end() const;
   // The scene of the moment that this edit left.

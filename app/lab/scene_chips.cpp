@@ -9,6 +9,7 @@
 #include "app/lab/document_change.h"
 #include "app/lab/lab_runs.h"
 #include "physics/record/impact_moments.h"
+#include "widgets/base/number_text.h"
 #include "widgets/base/plain_text.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
@@ -30,10 +31,13 @@ QString impact_text(const LabRuns& runs) {
                        : SceneChips::tr("impacts %1 to %2 of %3").arg(first).arg(last).arg(all);
 }
 
-// The stop's sentence without its first words: "stopped: 3rd impact".
-QString stop_text(const LabRuns& runs) {
+// The stop's sentence without its first words: "stopped: 3rd impact"; without a stop the end of the duration.
+QString stop_text(const LabRuns& runs, double duration) {
   const std::optional<Stop> stop = runs.stopped();
-  if (!stop) return {};
+  if (!stop) {
+    const bool at_end = !runs.in_past() && runs.at_end() && !runs.at_start() && runs.lost() == nullptr;
+    return at_end ? SceneChips::tr("end, %1 s").arg(short_figure(duration)) : QString();
+  }
   QString told = QString::fromStdString(sentence_of(*stop));
   for (const char* words : {"at the ", "at every ", "at ", "when "}) {
     if (!told.startsWith(words)) continue;
@@ -88,6 +92,7 @@ SceneChips::SceneChips(SceneView& view)
     place();
   });
   time_->setStyleSheet("font-weight: bold;");
+  speed_->setAccessibleName(tr("Speed"));
   speed_->setToolTip(tr("Simulated seconds per second"));
   tool_->setAccessibleName(tr("What the mouse does"));
   for (QLabel* chip : {stop_, impact_, status_, tool_}) chip->hide();
@@ -143,7 +148,8 @@ void SceneChips::show_time(const LabRuns& runs) {
     time_->setText("t = …");
   }
   speed_->setText(speed);
-  const QString stop = stop_text(runs);
+  speed_->setVisible(speed != TransportBar::speed_text(1.0));
+  const QString stop = stop_text(runs, runs.duration());
   stop_->setText(stop);
   stop_->setVisible(!stop.isEmpty());
   const QString impact = impact_text(runs);

@@ -106,6 +106,31 @@ TEST_F(LabStopsTest, AFlagAtTheFirstImpactRestartAndSpace) {
   ASSERT_TRUE(wait_stopped("1st impact")) << "and again";
 }
 
+TEST_F(LabStopsTest, AtTheEndTheChipSaysSo) {
+  EXPECT_FALSE(chip("Why it stopped")->isVisible());
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_for([this] { return time() > 0.98 && !window_.frame()->playing; }));
+  EXPECT_TRUE(chip("Why it stopped")->isVisible());
+  EXPECT_EQ(chip("Why it stopped")->text(), "end, 1 s");
+  press(Qt::Key_Comma);
+  ASSERT_TRUE(wait_for([this] { return runs().in_past() && runs().there(); }));
+  EXPECT_FALSE(chip("Why it stopped")->isVisible()) << "a step before it";
+  press(Qt::Key_R);
+  ASSERT_TRUE(wait_for([this] { return time() == 0.0; }));
+  EXPECT_FALSE(chip("Why it stopped")->isVisible());
+}
+
+TEST_F(LabStopsTest, TheSpeedHasAChipUnlessItIsReal) {
+  EXPECT_TRUE(chip("Speed")->isVisible());
+  EXPECT_EQ(chip("Speed")->text(), TransportBar::speed_text(4.0));
+  choose_speed(1.0);
+  EXPECT_TRUE(wait_for([this] { return !chip("Speed")->isVisible(); }));
+  action("Slow near impacts")->trigger();
+  EXPECT_TRUE(chip("Speed")->isVisible()) << "it will be slower near impacts";
+  action("Slow near impacts")->trigger();
+  EXPECT_FALSE(chip("Speed")->isVisible());
+}
+
 TEST_F(LabStopsTest, WordsOfTheChoicesAreWhole) {
   action("Stops...")->trigger();
   sentence()->clear();
