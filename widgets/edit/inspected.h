@@ -91,6 +91,7 @@ struct InspectedRow {
   std::vector<InspectedAction> actions{};
   QString text{};
 };
+  QString tip{};  // of the text
 
 // The bodies of these names, in the scene's order; those of generators last.
 [[nodiscard]] std::vector<Body> bodies_named(const Scene& scene, const std::vector<std::string>& names);
@@ -144,8 +145,11 @@ struct DurationAndStops {
 // The edits that change these bodies.
 [[nodiscard]] SceneEdits edits_of(std::vector<Body> bodies, const std::function<void(Body&)>& change);
 
-// "p 2.00 kg m/s", "K 2.00 J": the momentum and kinetic energy of the bodies that move; if they are several
-// also their mass, the place of their centre of mass and its velocity. Empty if none moves.
+// "p 2.00 kg m/s", "K 2.00 J": the momentum, kinetic energy and angular momentum about the origin of the bodies
+// that move; if they are several also their mass, the place of their centre of mass and its velocity, else the
+// inertia. Empty if none moves.
 [[nodiscard]] QStringList derived_texts(const std::vector<Body>& bodies);
 
+// The formulas of these, a line each.
+[[nodiscard]] QString derived_formulas(bool several);
 }  // namespace carom

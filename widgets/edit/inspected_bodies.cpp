@@ -5,6 +5,7 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "physics/math/vectors.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/rounding.h"
 #include "widgets/edit/derived_fields.h"
@@ -254,12 +255,25 @@ SceneEdits edits_of(std::vector<Body> bodies, const std::function<void(Body&)>& 
   return edits;
 }
 
+QString derived_formulas(bool several) {
+  if (several) {
+    return QStringLiteral(
+        "m = Σ m\np = |Σ m v|\nK = Σ (½ m v² + ½ I ω²)\n"
+        "L = Σ (m (x vy − y vx) + I ω), about the origin\n"
+        "centre of mass: Σ m x / m, Σ m y / m\nits velocity: Σ m v / m");
+  }
+  return QStringLiteral(
+      "p = m v\nK = ½ m v² + ½ I ω²\nL = m (x vy − y vx) + I ω, about the origin\n"
+      "I = ∫ r² dm, about the centre of mass");
+}
+
 QStringList derived_texts(const std::vector<Body>& bodies) {
   int moving = 0;
   double mass = 0.0;
   double energy = 0.0;
   VectorSum momentum;
   VectorSum moment;
+  VectorSum angular;  // in its first component
   for (const Body& body : bodies) {
     if (has_infinite_mass(body)) continue;
     const double m = mass_of(body);
@@ -267,13 +281,16 @@ QStringList derived_texts(const std::vector<Body>& bodies) {
     mass += m;
     momentum.add(m * body.velocity);
     moment.add(m * body.position);
-    energy += 0.5 * m * body.velocity.squaredNorm() + 0.5 * inertia_of(body) * body.spin * body.spin;
+    const double own = inertia_of(body) * body.spin;
+    angular.add({m * cross(body.position, body.velocity), 0.0});
+    angular.add({own, 0.0});
+    energy += 0.5 * m * body.velocity.squaredNorm() + 0.5 * own * body.spin;
   }
   if (moving == 0) return {};
   const Vec2 p = momentum.value();
   QStringList texts;
   if (bodies.size() > 1) texts << fact("m", mass, "kg");
-  texts << fact("p", p.norm(), "kg m/s") << fact("K", energy, "J");
+  texts << fact("p", p.norm(), "kg m/s") << fact("K", energy, "J") << fact("L", angular.value().x(), "kg m²/s");
   if (bodies.size() == 1) {
     texts << fact("I", inertia_of(bodies[0]), "kg m²");
   } else {

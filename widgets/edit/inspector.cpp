@@ -253,7 +253,7 @@ std::vector<InspectedRow> Inspector::rows() const {
     add(inspected_bodies(bodies_));
     add(inspected_surface(*scene_, bodies_));
     if (const QStringList derived = derived_texts(bodies_); !derived.isEmpty())
-      rows.push_back({.text = derived.join("   ")});
+      rows.push_back({.text = derived.join("   "), .tip = derived_formulas(bodies_.size() > 1)});
     add(more_of_bodies(bodies_));
     if (bodies_.size() == 1) {
       add(inspected_shapes(*scene_, bodies_[0], unfolded_));

@@ -37,12 +37,14 @@ InspectorRow::InspectorRow(const InspectedRow& row, QWidget* parent)
   text_ = new PlainLabel(row.text, this);
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  text_->setToolTip(plain_tip(row.tip));
   grid_->addWidget(text_, 0, 1, 1, kColumns);
   grid_->setColumnStretch(1, 1);
 }
 
 void InspectorRow::show_row(const InspectedRow& row) {
   if (text_->text() != row.text) text_->setText(row.text);
+  if (const QString tip = plain_tip(row.tip); text_->toolTip() != tip) text_->setToolTip(tip);
 }
 
 void InspectorRow::say(const QString& sentence) {

@@ -64,7 +64,7 @@ TEST_F(InspectorShapesTest, ItsInertiaIsThatOfThePlate) {
   EXPECT_EQ(derived[0].simplified().replace(QChar::Nbsp, ' '), "p 4.00 kg m/s");
   EXPECT_EQ(derived[1].simplified().replace(QChar::Nbsp, ' '),
             QString("K %1 J").arg(0.5 * 2.0 * 4.0 + 0.5 * inertia * 9.0, 0, 'f', 2));
-  EXPECT_EQ(derived[2].simplified().replace(QChar::Nbsp, ' '), QString("I %1 kg m²").arg(inertia, 0, 'f', 3));
+  EXPECT_EQ(derived[3].simplified().replace(QChar::Nbsp, ' '), QString("I %1 kg m²").arg(inertia, 0, 'f', 3));
 }
 
 }  // namespace

@@ -200,12 +200,31 @@ TEST_F(InspectorTest, SeveralBodiesHaveSumsAndACentreOfMass) {
   heavy_one.velocity = {-0.1, -1.0};
   QStringList derived = derived_texts({light_one, heavy_one});
   derived.replaceInStrings(QString(QChar::Nbsp), " ");
-  EXPECT_EQ(derived, (QStringList{"m 4.00 kg", "p 0.200 kg m/s", "K 6.02 J",
+  EXPECT_EQ(derived, (QStringList{"m 4.00 kg", "p 0.200 kg m/s", "K 6.02 J", "L −5.90 kg m²/s",
                                   "centre of mass x, y: 0.500, 0.500 m", "its velocity: −0.050, 0.000 m/s"}));
   heavy_one.velocity.x() = -0.1 / 3.0;
   derived = derived_texts({light_one, heavy_one});
   derived.replaceInStrings(QString(QChar::Nbsp), " ");
   EXPECT_EQ(derived[1], "p 0 kg m/s") << "without rounding";
+}
+
+TEST_F(InspectorTest, DerivedValuesHaveTheirFormulasOnHover) {
+  const auto derived = [this]() -> const QLabel* {
+    for (const QLabel* label : inspector_.findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text().contains("J") &&
+          label->text().contains(QString("kg m/s").replace(' ', QChar::Nbsp)))
+        return label;
+    }
+    return nullptr;
+  };
+  select({"light"});
+  ASSERT_NE(derived(), nullptr);
+  EXPECT_TRUE(derived()->toolTip().contains("L = m (x vy − y vx) + I ω")) << derived()->toolTip().toStdString();
+  EXPECT_TRUE(derived()->toolTip().contains("p = m v"));
+  select({"light", "heavy"});
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  ASSERT_NE(derived(), nullptr);
+  EXPECT_TRUE(derived()->toolTip().contains("p = |Σ m v|"));
 }
 
 TEST_F(InspectorTest, WithoutASelectionItShowsTheScene) {
