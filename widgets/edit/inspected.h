@@ -43,6 +43,7 @@ struct Inspected {
   bool is_of_motion = false;  // a place, an angle, a velocity or a spin, which change while a run plays
   // What else than the range forbids these values, in one sentence; empty: nothing.
   std::function<QString(const std::vector<double>&)> fault{};
+  std::optional<Range> typed_range{};  // of what is typed, where that may be more than steps and sliders reach
 };
 
 // One of several words.
@@ -90,8 +91,8 @@ struct InspectedRow {
   std::optional<InspectedName> named{};
   std::vector<InspectedAction> actions{};
   QString text{};
-};
   QString tip{};  // of the text
+};
 
 // The bodies of these names, in the scene's order; those of generators last.
 [[nodiscard]] std::vector<Body> bodies_named(const Scene& scene, const std::vector<std::string>& names);
@@ -149,7 +150,7 @@ struct DurationAndStops {
 // that move; if they are several also their mass, the place of their centre of mass and its velocity, else the
 // inertia. Empty if none moves.
 [[nodiscard]] QStringList derived_texts(const std::vector<Body>& bodies);
-
 // The formulas of these, a line each.
 [[nodiscard]] QString derived_formulas(bool several);
+
 }  // namespace carom

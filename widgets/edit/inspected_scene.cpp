@@ -70,11 +70,13 @@ void set_gravity(SetForces& forces, double size) {
   forces.gravity = size == 0.0 ? Vec2(Vec2::Zero()) : Vec2(size * direction_at(direction_of_gravity(forces)));
 }
 
+// A negative size turns the direction round.
 InspectedRow gravity_row(const SetForces& forces) {
-  return {.section = "Forces",
-          .label = "Gravity",
-          .values = {force_value(forces, "Gravity", "acceleration of every moving body", from_zero("m/s²"),
-                                 forces.gravity.norm(), set_gravity)}};
+  Inspected value = force_value(forces, "Gravity",
+                                "acceleration of every moving body; a negative one turns its direction round",
+                                from_zero("m/s²"), forces.gravity.norm(), set_gravity);
+  value.typed_range = any_number("m/s²");
+  return {.section = "Forces", .label = "Gravity", .values = {std::move(value)}};
 }
 
 InspectedRow direction_row(const SetForces& forces) {

@@ -65,6 +65,7 @@ QuantityField::QuantityField(QWidget* parent) : TypedField(parent) {}
 
 void QuantityField::show_value(const Inspected& value) {
   range_ = value.range;
+  typed_range_ = value.typed_range.value_or(value.range);
   name_ = value.name;
   values_ = value.values;
   formula_names_ = value.formula_names;
@@ -96,7 +97,7 @@ QString QuantityField::take(const QString& text) {
     return {};
   }
   if (!refusal_.isEmpty()) return refusal_;
-  const TypedValues typed = typed_values(text, name_, range_, values_, formula_names_);
+  const TypedValues typed = typed_values(text, name_, typed_range_, values_, formula_names_);
   if (!typed.fault.isEmpty()) return typed.fault;
   QString fault = value_fault_ ? value_fault_(typed.values) : QString();
   if (!fault.isEmpty()) return fault;
@@ -116,7 +117,8 @@ QString QuantityField::early_fault(const QString& text) const {
   if (!change) return {};
   for (const double old : values_) {
     const double value = change->of(old);
-    if (value > range_.high || value < std::min(range_.low, 0.0)) return range_sentence(name_, value, range_);
+    if (value > typed_range_.high || value < std::min(typed_range_.low, 0.0))
+      return range_sentence(name_, value, typed_range_);
   }
   return {};
 }

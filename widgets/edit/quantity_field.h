@@ -61,6 +61,7 @@ class QuantityField : public TypedField {
   void set_in_burst(const std::vector<double>& values);
 
   Range range_;
+  Range typed_range_;
   QString name_;
   QString unit_;
   std::vector<double> values_;
