@@ -200,7 +200,8 @@ void LabWindow::show_selection() {
                                time);
   }
   const bool align = view_->can_align();
-  group_->enable(align, align && view_->selection().size() > 2, view_->takes(Qt::Key_K));
+  group_->enable(align, align && view_->selection().size() > 2,
+                 view_->selection().size() == 2 && view_->takes(Qt::Key_K));
   if (!drawer_->shows(sheet_)) return;
   sheet_->show_moment(runs.shown_scene(), runs.frame());
   sheet_->show_selection(view_->selection());

@@ -49,9 +49,8 @@ bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
   const bool removes = key == Qt::Key_Delete || key == Qt::Key_Backspace;
   if (removes && part_) return true;
   if (selection_.empty() && awaited_.empty()) return false;
-  if (is_touch(key, keys)) return can_touch();
   if (is_rename(key, keys)) return selection_.names().size() == 1;
-  return removes || is_lock(key, keys) || key_edit(key, keys).has_value();
+  return removes || is_touch(key, keys) || is_lock(key, keys) || key_edit(key, keys).has_value();
 }
 
 bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
@@ -76,6 +75,8 @@ bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
     set_selection(moving);
   } else if (is_lock(key, keys)) {
     toggle_lock();
+  } else if (is_touch(key, keys) && awaited_.empty() && !can_touch()) {
+    say_two_touch();
   } else if (plays()) {
     waiting_keys_.emplace_back(key, keys);
     emit pauseRequested();

@@ -59,6 +59,11 @@ void SceneTools::show_overlaps_of_new(const Body& body, Overlay& out) const {
 
 bool SceneTools::can_touch() const { return selection_.names().size() == 2; }
 
+void SceneTools::say_two_touch() {
+  const QPointF at = sight_().camera.to_screen(selected_now().front().position);
+  note({QStringLiteral("select two bodies"), QStringLiteral("K puts them in touch"), at, at, true});
+}
+
 void SceneTools::put_in_touch() {
   const std::vector<Body> bodies = selected_now();
   if (bodies.size() != 2) return;

@@ -285,6 +285,7 @@ class SceneTools : public QObject {
   [[nodiscard]] DragStart start_of(const Grab& grab, std::vector<Body> bodies) const;
   [[nodiscard]] std::vector<Overlap> overlaps_of_new(const Body& body) const;  // the deepest first
   [[nodiscard]] bool can_touch() const;
+  void say_two_touch();
   void put_in_touch();
   void say_overlap(const std::vector<Body>& bodies, const Surroundings& beside);
   void find_kept_overlaps();

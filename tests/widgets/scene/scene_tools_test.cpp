@@ -361,6 +361,9 @@ TEST_F(SceneToolsTest, KeysResizeAndPutInTouch) {
 }
 
 TEST_F(SceneToolsTest, AKeyThatWouldOverlapOnlyTouches) {
+  QTest::keyClick(&view_, Qt::Key_K);
+  EXPECT_EQ(told_.size(), 2U);
+  EXPECT_EQ(view_.bubble().value, "select two bodies") << "to put them in touch";
   answers_ = true;
   scene_.bodies[2].position = Vec2(1.8, 1.0);
   show(true);
