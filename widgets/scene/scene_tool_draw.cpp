@@ -42,7 +42,8 @@ void SceneTools::add_usual() {
   const ShapeTool& tool = *shape_tool(tool_);
   const Stroke at = stroke();
   if (tool.click != nullptr) return add(tool.click(at));
-  emit spawnRequested(at.from.x(), at.from.y());
+  const Vec2 place = drawn_place(at.from, at.to, at.grid);
+  emit spawnRequested(place.x(), place.y());
   used_tool();
 }
 
