@@ -131,7 +131,7 @@ Dragged turn(const DragStart& start, const DragPoint& point) {
   out.bodies = start.bodies;
   out.bodies[0].angle = angle;
   out.value = angle_text(angle, is_free(point) ? 1 : 0);
-  out.detail = with_former({}, angle_text(body.angle, 1));
+  out.detail = with_former({}, angle_text(body.angle, is_free(point) ? 1 : 0));
   out.name = "Turn " + name_of_bodies(start.bodies);
   return out;
 }
@@ -202,9 +202,7 @@ double drawn_step(const DragPoint& point) {
   return step_for_mouse(kLengthStep, point.scale) / (is_free(point) ? 10.0 : 1.0);
 }
 
-// To a decimal more than the mouse sets: it need not be a round one.
-QString former_size(const Shape& shape, DragPoint point) {
-  point.keys |= Qt::ControlModifier;
+QString former_size(const Shape& shape, const DragPoint& point) {
   const auto* disc = std::get_if<Disc>(&shape);
   return disc != nullptr ? drawn_text(disc->radius, point) : size_text(shape, point);
 }

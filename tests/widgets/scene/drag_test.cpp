@@ -174,6 +174,8 @@ TEST(DragTest, TurnsInAbsoluteSteps) {
   };
   EXPECT_NEAR(drag(start, at(20.0)).bodies[0].angle, 25.0 * kDegree, 1e-12);
   EXPECT_EQ(drag(start, at(20.0)).value, "25°");
+  EXPECT_EQ(drag(start, at(20.0)).detail, "was 3°");
+  EXPECT_EQ(drag(start, at(20.0), Qt::ControlModifier).detail, "was 3.0°");
   EXPECT_NEAR(drag(start, at(40.0), Qt::ShiftModifier).bodies[0].angle, 45.0 * kDegree, 1e-12);
   EXPECT_NEAR(drag(start, at(-10.4), Qt::ControlModifier).bodies[0].angle, -7.4 * kDegree, 1e-12);
   EXPECT_EQ(drag(start, at(20.0)).name, "Turn light");
@@ -191,7 +193,7 @@ TEST(DragTest, ResizesADiscAtItsDensity) {
   EXPECT_NEAR(*resized.bodies[0].inertia, 0.16, 1e-12);
   EXPECT_EQ(resized.bodies[0].position, Vec2(1.0, 1.0));
   EXPECT_EQ(resized.value, "r 0.20 m");
-  EXPECT_EQ(resized.detail, "m = 4 kg · was 0.100 m");
+  EXPECT_EQ(resized.detail, "m = 4 kg · was 0.10 m");
   EXPECT_EQ(resized.name, "Resize light");
   EXPECT_NEAR(std::get<Disc>(drag(start, Vec2(1.298, 1.298), Qt::ControlModifier).bodies[0].shape).radius,
               0.198, 1e-12);
@@ -227,7 +229,7 @@ TEST(DragTest, TheFarEndOfATurnedWallStays) {
   EXPECT_TRUE(grown.bodies[0].position.isApprox(wall.position + 0.1 * along, 1e-12));
   EXPECT_EQ(grown.bodies[0].angle, wall.angle);
   EXPECT_EQ(grown.value, "1.20 m");
-  EXPECT_EQ(grown.detail, "was 1.000 m");
+  EXPECT_EQ(grown.detail, "was 1.00 m");
   EXPECT_EQ(grown.name, "Resize ramp");
   const DragStart left = start_of(HandleKind::kLeft, wall, wall.position - 0.58 * along);
   const Dragged shrunk = drag(left, wall.position - 0.18 * along);
