@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <memory>
 #include <utility>
 
 namespace carom {
@@ -14,6 +16,28 @@ Ledger without_quadratures(const Reading& reading) {
 }
 
 }  // namespace
+
+void keep_curves(Rows& rows, const std::vector<Curve>& wanted) {
+  std::vector<Curve> kept;
+  std::vector<std::size_t> columns;
+  std::size_t width = 0;
+  for (const Curve& curve : *rows.curves) {
+    const std::size_t end = width + (curve.x ? 2 : 1);
+    const bool is_kept = std::find(wanted.begin(), wanted.end(), curve) != wanted.end();
+    if (is_kept) kept.push_back(curve);
+    for (; width < end; ++width) {
+      if (is_kept) columns.push_back(width);
+    }
+  }
+  if (kept.size() == rows.curves->size()) return;
+  std::vector<double> values;
+  values.reserve(rows.size() * columns.size());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (const std::size_t column : columns) values.push_back(rows.values[row * width + column]);
+  }
+  rows.curves = std::make_shared<const std::vector<Curve>>(std::move(kept));
+  rows.values = std::move(values);
+}
 
 Sampler::Sampler(std::vector<Curve> curves, const std::vector<Curve>& later) {
   for (const std::vector<Curve>* all : {&std::as_const(curves), &later}) {

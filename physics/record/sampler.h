@@ -76,6 +76,9 @@ struct Rows {
   [[nodiscard]] std::size_t size() const { return times.size(); }
 };
 
+// Drops the values of all curves but these.
+void keep_curves(Rows& rows, const std::vector<Curve>& wanted);
+
 // Reads curves from a run: at its start, at the end of each step, and before and after each impact that the
 // simulation records; and all speeds at some ends of steps. At an impact the ledger jumps by the impact's
 // entry, and the work of smooth forces is that of the moment. The losses to resting contacts and the drift

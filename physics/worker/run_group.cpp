@@ -74,7 +74,11 @@ RunGroup::Frames RunGroup::return_to(EditId edit, const std::vector<Curve>& curv
   watch_first();
   replay_to(kept.time);
   record_all();
-  return std::exchange(kept.untaken, {});
+  Frames untaken = std::exchange(kept.untaken, {});
+  for (const auto& frame : untaken) {
+    for (Rows& rows : frame->rows) keep_curves(rows, curves);
+  }
+  return untaken;
 }
 
 RunGroup::Frames RunGroup::cut(EditId edit, double time, const std::vector<RunEdit>& later,
@@ -266,9 +270,12 @@ double RunGroup::edited_time() const {
   return time < cut_at_ && cut_at_ < first().next() ? cut_at_ : time;
 }
 
-RunGroup::Run& RunGroup::farthest_behind() {
-  return *std::min_element(runs_.begin(), runs_.end(),
-                           [](const Run& a, const Run& b) { return a.live.next() < b.live.next(); });
+// The one that is farthest behind the first run, or the first run if none can step without passing it.
+RunGroup::Run& RunGroup::next_to_step() {
+  Run& first = runs_.front();
+  Run& other = *std::min_element(runs_.begin(), runs_.end(),
+                                 [](const Run& a, const Run& b) { return a.live.next() < b.live.next(); });
+  return may_step(other, first.live.time()) ? other : first;
 }
 
 // True if the run's next step ends not after `time`.

@@ -17,7 +17,8 @@
 
 namespace carom {
 
-// Several runs of one preset side by side, each under its own method. The one farthest behind steps first; an
+// Several runs of one preset side by side, each under its own method. The first one leads: the others come as
+// near to its time as their steps allow and never pass it, so where they stand follows from where it stands. An
 // edit is applied when its run has come to the edit's time. Edits can be undone and redone: the runs that
 // change are replayed from the last key frame before it, as if the edit had never been made. Runs that an edit
 // leaves for a new start can be kept for a return to their moment.
@@ -55,7 +56,7 @@ class RunGroup {
   // `taken_back`: they are kept for an edit that is taken back, until a new edit follows.
   void keep_runs(EditId edit, Frames untaken, bool taken_back = false);
   // The kept runs, instead of begin(): at the moment that the edit left, or on the way there (replay_until).
-  // Returns their frames that nobody has taken.
+  // Returns their frames that nobody has taken, with these curves alone.
   [[nodiscard]] Frames return_to(EditId edit, const std::vector<Curve>& curves, ReferenceId reference,
                                  std::stop_token token);
 
@@ -104,7 +105,7 @@ class RunGroup {
   template <class Stop>
   Advance advance_to(double time, Clock::time_point deadline, const Stop& stop) {
     while (true) {
-      Run& run = farthest_behind();
+      Run& run = next_to_step();
       if (!may_step(run, time)) return Advance::kReached;
       if (Clock::now() >= deadline || stop()) return Advance::kDeadline;
       step(run);
@@ -182,7 +183,7 @@ class RunGroup {
   void begin_run(MethodAndEdits wanted);
   [[nodiscard]] double displayed_time() const;
   [[nodiscard]] double edited_time() const;
-  [[nodiscard]] Run& farthest_behind();
+  [[nodiscard]] Run& next_to_step();
   [[nodiscard]] static bool may_step(const Run& run, double time);
   void step(Run& run);
 

@@ -26,8 +26,8 @@ namespace carom {
 // painting. A load, a restart and the destructor don't wait for the step under way: they interrupt it. The
 // runs pause while nobody takes their frames and too much data is waiting (kMostWaiting).
 //
-// Of several runs the one farthest behind steps first; one added later starts at t = 0 and the others wait
-// for it. The first run is the scene's own and sets the pace. A lost run stays where it is and says why in
+// Of several runs the first is the scene's own and sets the pace: the others follow it and never pass it. One
+// added later starts at t = 0, and the first waits for it. A lost run stays where it is and says why in
 // its frames (Frame::lost); playing then stops. Playing also stops if the thread runs out of memory or has
 // any other error: then all runs stay until the next load or restart.
 //
