@@ -98,12 +98,14 @@ class EditedSession {
     EXPECT_TRUE(test::same_bytes(known->second, now.state))
         << "step " << index() << ", at " << now.time << " s, after " << last_;
   }
-  // The run begins again: edits that were made on the way are made in its start.
+  // As one step of undo, if the run has left its start.
   void restart() {
-    session_.runs().restart();
-    known_runs_.clear();
+    const std::size_t before = index();
+    last_ = "restart";
+    session_.starts().restart();
+    note(0, before);
   }
-  // The same where this begins the run: edits that follow are then made in its start.
+  // Where this begins the run, edits that follow are then made in its start.
   void redo() {
     const std::size_t before = index();
     edits().redo();
