@@ -74,6 +74,7 @@ void ReferenceRun::edit(const RunEdit& edit) {
     setup_.method = *method;
   } else {
     const auto& edits = std::get<SceneEdits>(edit.what);
+    if (edits.empty()) return;
     apply_edits(setup_.scene, edits);
     fine_.apply(edits);
     check_.apply(edits);

@@ -156,7 +156,7 @@ std::optional<Vec2> moved_hand(const Scene& scene, const SceneEdits& edits) {
 }  // namespace
 
 void Simulation::apply(const SceneEdits& edits) {
-  if (lost_) return;
+  if (lost_ || edits.empty()) return;
   if (const auto place = moved_hand(compiled_->scene, edits)) return move_hand(*place);
   const Checkpoint before = checkpoint();
   const Totals totals_before = totals();

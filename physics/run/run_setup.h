@@ -25,9 +25,9 @@ struct SavedRun {
   std::shared_ptr<const Checkpoint> checkpoint{};
 };
 
-// A change of a run at `time` (see is_due()): another method from there on, or another scene. In a
-// run a replaced body keeps its place and motion, a replaced joint without a length or an angle those that it
-// has; edits of generators concern the next start alone.
+// A change of a run at `time` (see is_due()): another method from there on, or another scene; no edits of the
+// scene only divide a step there. In a run a replaced body keeps its place and motion, a replaced joint without
+// a length or an angle those that it has; edits of generators concern the next start alone.
 struct RunEdit {
   double time = 0.0;     // s
   std::uint64_t id = 0;  // tells the edits of a session apart; 0: of the preset file

@@ -20,7 +20,7 @@ void RunGroup::begin(std::stop_token token) {
   interrupted_ = false;
   interrupted_at_ = start_time(preset_.saved);
   replay_until_.reset();
-  cut_at_ = 0.0;
+  cut_.reset();
   past_.clear();
   runs_.clear();
   for (MethodAndEdits& run : runs_of(preset_)) begin_run(std::move(run));
@@ -64,7 +64,7 @@ RunGroup::Frames RunGroup::return_to(EditId edit, const std::vector<Curve>& curv
   ++starts_;
   start_ = kept.begun.start;
   interrupted_ = false;
-  cut_at_ = 0.0;
+  cut_.reset();
   past_.clear();
   runs_ = std::exchange(kept.runs, {});
   for (Run& run : runs_) run.live.interrupt_on(token_);
@@ -107,8 +107,8 @@ RunGroup::Frames RunGroup::cut(EditId edit, double time, const std::vector<RunEd
     begin_run(std::move(wanted));
   }
   watch_first();
-  cut_at_ = time;
   replay_to(time);
+  cut_ = replay_until_ ? std::optional(Cut{edit, time}) : std::nullopt;
   Frames untaken;
   for (const auto& frame : kept.untaken) untaken.push_back(std::make_shared<Frame>(*frame));
   return untaken;
@@ -163,7 +163,7 @@ void RunGroup::set_method(std::size_t run, const Method& method, EditId edit) {
 
 void RunGroup::edit_scene(const SceneEdits& edits, EditId edit) {
   if (interrupted_ || runs_.empty()) return;
-  const double time = edited_time();
+  const double time = displayed_time();
   for (Run& run : runs_) run.live.edit({time, edit, edits});
   replay_to(time);
 }
@@ -227,7 +227,7 @@ void RunGroup::undo_or_redo(EditId edit, const Preset& start, ReferenceId refere
   const bool other_start = begun_since && scene != fingerprint_of_start(start);
   if (begun_since) preset_ = start;
   if (interrupted_) return;
-  const double time = edited_time();
+  const double time = displayed_time();
   std::vector<Run> old = std::exchange(runs_, {});
   if (other_start) old.clear();
   if (begun_since) {
@@ -264,10 +264,15 @@ void RunGroup::take_run(MethodAndEdits wanted, std::vector<Run>& old) {
 // s, of the first run: its time, or the time to which it is being replayed.
 double RunGroup::displayed_time() const { return replay_until_.value_or(first().time()); }
 
-// s: within the first run's next step after a cut there.
-double RunGroup::edited_time() const {
-  const double time = displayed_time();
-  return time < cut_at_ && cut_at_ < first().next() ? cut_at_ : time;
+bool RunGroup::end_reached_replay() {
+  const std::optional<Cut> cut = std::exchange(cut_, std::nullopt);
+  const double rounding = kSameMoment * first().simulation().method().step;
+  if (!cut || first().lost() || first().time() + rounding >= cut->time) {
+    end_replay();
+    return true;
+  }
+  for (Run& run : runs_) run.live.edit({cut->time, cut->edit, SceneEdits{}});
+  return false;
 }
 
 // The one that is farthest behind the first run, or the first run if none can step without passing it.

@@ -60,11 +60,10 @@ class RunGroup {
   [[nodiscard]] Frames return_to(EditId edit, const std::vector<Curve>& curves, ReferenceId reference,
                                  std::stop_token token);
 
-  // Goes on from an earlier moment of the runs that this edit has just left, instead of begin(): from the last
-  // end of a step that is not after `time` (s), or on the way there (replay_until). An edit of the scene that
-  // follows is made at that time. What was done to the runs
-  // later is not done again, but `later`, edits of the preset, still come. Returns the frames of the kept runs
-  // that nobody has taken.
+  // Goes on from an earlier moment of the runs that this edit has just left, instead of begin(): from `time`
+  // (s), or on the way there (replay_until). Where that is within a step of the first run, an edit of nothing
+  // divides the step of each run there. What was done to the runs later is not done again, but `later`, edits
+  // of the preset, still come. Returns the frames of the kept runs that nobody has taken.
   [[nodiscard]] Frames cut(EditId edit, double time, const std::vector<RunEdit>& later, std::stop_token token);
 
   // --- the past
@@ -92,7 +91,13 @@ class RunGroup {
   void undo_or_redo(EditId edit, const Preset& start, ReferenceId reference);
   // s: the runs are being replayed up to here.
   [[nodiscard]] std::optional<double> replay_until() const { return replay_until_; }
-  void end_replay() { replay_until_.reset(); }
+  void end_replay() {
+    replay_until_.reset();
+    cut_.reset();
+  }
+  // The runs have come to where they were being replayed. False: there is a little more to replay, up to a cut
+  // within a step.
+  [[nodiscard]] bool end_reached_replay();
 
   // The runs, when they are not interrupted.
   [[nodiscard]] const LiveRun& first() const { return runs_.front().live; }
@@ -182,7 +187,6 @@ class RunGroup {
   void take_run(MethodAndEdits wanted, std::vector<Run>& old);
   void begin_run(MethodAndEdits wanted);
   [[nodiscard]] double displayed_time() const;
-  [[nodiscard]] double edited_time() const;
   [[nodiscard]] Run& next_to_step();
   [[nodiscard]] static bool may_step(const Run& run, double time);
   void step(Run& run);
@@ -200,7 +204,11 @@ class RunGroup {
   std::map<std::uint64_t, EditLists> edit_lists_;  // by run
   std::map<EditId, Kept> kept_;
   std::optional<double> replay_until_;
-  double cut_at_ = 0.0;  // s, of the last cut
+  struct Cut {
+    EditId edit;
+    double time;  // s
+  };
+  std::optional<Cut> cut_;  // to which the runs are being replayed
   std::uint64_t starts_ = 0;
   std::uint64_t start_ = 0;  // the one that the runs began from: its number among starts
   std::uint64_t ids_ = 0;

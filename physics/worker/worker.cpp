@@ -509,8 +509,7 @@ void Worker::advance(const std::stop_token& stop, Work& work) {
   };
   if (const auto replay_until = runs.replay_until()) {
     work.changed = true;
-    if (!advance_to(*replay_until)) return;
-    runs.end_replay();
+    if (!advance_to(*replay_until) || !runs.end_reached_replay()) return;
     work.begin_pace();
     work.begin_measurement();
     return;

@@ -219,32 +219,39 @@ TEST_F(WorkerPast, ACutKeepsTheEditsOfThePreset) {
   EXPECT_EQ(newest_at(51).front()->bodies->size(), gas().scene.bodies.size() + 1);
 }
 
-// All runs come to the edit's own time, within their steps, and go on from there.
-TEST_F(WorkerPast, AnEditAfterACutIsMadeWhereItCut) {
+// Within their steps too: there all runs go on, and there an edit that follows is made.
+TEST_F(WorkerPast, ACutWithinAStepGoesOnFromThere) {
   record_run();
   const double time = recorded_[20].front()->time + 0.0017;
-  for (const bool at_once : {true, false}) {
+  for (const bool edited : {false, true}) {
+    SCOPED_TRACE(edited);
+    const std::size_t edits = edited ? 2 : 1;  // the first one divides the step
     const Worker::EditId edit = worker_.keep_runs();
     worker_.cut(edit, time, {});
-    if (!at_once) {
-      EXPECT_TRUE(same_moment(*newest_at(20).front(), *recorded_[20].front()));
-    }
-    worker_.edit_scene({Add<Body>{kBody}});
-    const Frames edited = newest_at(21);
-    for (const auto& frame : edited) {
+    if (edited) worker_.edit_scene({Add<Body>{kBody}});
+    Frames there;
+    ASSERT_TRUE(test::wait_until([&] {
+      const auto news = worker_.take_frames();
+      if (!news.empty()) there = news;
+      return !there.empty() && !there.front()->replay_until && there.front()->setup->edits.size() == edits;
+    }));
+    for (const auto& frame : there) {
       EXPECT_EQ(frame->time, time);
-      ASSERT_EQ(frame->setup->edits.size(), 1U);
-      EXPECT_EQ(frame->setup->edits.front().time, time);
-      EXPECT_EQ(frame->bodies->size(), gas().scene.bodies.size() + 1);
+      EXPECT_EQ(frame->steps, frame->run == there.front()->run ? 21 : frame->steps);
+      for (const RunEdit& each : frame->setup->edits) EXPECT_EQ(each.time, time);
+      EXPECT_EQ(frame->bodies->size(), gas().scene.bodies.size() + edits - 1);
     }
     const Frames cut = shown({time - 0.001});
     for (std::size_t i = 0; i < cut.size(); ++i) {
-      Simulation again(*edited[i]->setup);
+      Simulation again(*there[i]->setup);
       again.advance_to(time);
-      EXPECT_TRUE(test::same_bytes(again.state(), edited[i]->state)) << i;
+      EXPECT_TRUE(test::same_bytes(again.state(), there[i]->state)) << i;
       EXPECT_LT(cut[i]->time, time) << i;
       EXPECT_EQ(cut[i]->bodies->size(), gas().scene.bodies.size()) << i;
     }
+    worker_.run_until(recorded_[21].front()->time);
+    EXPECT_NEAR(newest_at(22).front()->time, recorded_[21].front()->time, 1e-15)
+        << "the steps go on as they were";
     worker_.return_to(edit, {}, ReferenceId::kExactFlight);
     expect_same(newest_at(recorded_.back().front()->steps), recorded_.back());
   }
