@@ -64,20 +64,24 @@ bool write_lines(const DataExport& what, char separator, const std::function<boo
 
 std::optional<Simulation> run_at(const RunSetup& setup,
                                  const std::vector<std::shared_ptr<const KeyFrame>>& key_frames, double time,
-                                 std::int64_t steps, const std::function<bool(double)>& progress) {
+                                 const std::function<bool(double)>& progress) {
   const std::shared_ptr<const KeyFrame> moment = latest_before(key_frames, time, {});
   Replay replay = moment ? Replay(*moment, setup.edits) : Replay(setup);
+  const double begin = replay.simulation().time();
   bool cancelled = false;
   replay.go_through([](const RunEdit&) {},
                     [&](const Simulation& s) {
-                      if (s.steps() >= steps) return false;
-                      cancelled = s.steps() % 64 == 0 &&
-                                  !progress(static_cast<double>(s.steps()) / static_cast<double>(steps));
+                      const double rounding = kSameMoment * s.method().step;
+                      if (s.time() + s.next_step() > time + rounding) return false;
+                      cancelled = s.steps() % 64 == 0 && !progress((s.time() - begin) / (time - begin));
                       return !cancelled;
                     },
                     [](const Simulation&) {});
   if (cancelled) return std::nullopt;
-  return replay.simulation();
+  Simulation there = replay.simulation();
+  const double part = time - there.time();
+  if (part > kSameMoment * there.method().step && !there.lost()) there.step(part);
+  return there;
 }
 
 bool export_data(const DataExport& what, const std::string& file, const std::function<bool(double)>& progress) {

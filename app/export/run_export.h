@@ -25,11 +25,10 @@ struct DataExport {
   double to = 0.0;
 };
 
-// The first run after this number of steps, at `time` (s); none if `progress` (see below) returns false.
+// The run at `time` (s), which may lie within a step; none if `progress` (see below) returns false.
 [[nodiscard]] std::optional<Simulation> run_at(const RunSetup& setup,
                                                const std::vector<std::shared_ptr<const KeyFrame>>& key_frames,
-                                               double time, std::int64_t steps,
-                                               const std::function<bool(double)>& progress);
+                                               double time, const std::function<bool(double)>& progress);
 
 // Writes a CSV file: RFC 4180, units in brackets in the header, every number with all its digits. The run is
 // replayed from its start or from the last key frame before `from`, so that old data are as exact as recent

@@ -92,6 +92,19 @@ class LabExportTest : public LabTest {
     return QGuiApplication::clipboard()->text().trimmed().split('\n');
   }
 
+  // As this file, which must not exist.
+  void save_run_as(const QString& file) {
+    const auto answer = [&](QWidget* dialog) {
+      auto* where = qobject_cast<QFileDialog*>(dialog);
+      if (where == nullptr) return;
+      where->setDirectory(QFileInfo(file).path());
+      where->findChild<QLineEdit*>("fileNameEdit")->setText(QFileInfo(file).fileName());
+      QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
+    };
+    with_answers(
+        answer, [&] { trigger("Save the run as it stands..."); }, [&] { return QFile::exists(file); });
+  }
+
   PlotPanel* panel_ = nullptr;
 };
 
@@ -215,18 +228,9 @@ TEST_F(LabExportTest, AFilmIsMade) {
 TEST_F(LabExportTest, TheRunIsSavedAtItsPresentTime) {
   window_.run_until(1.0);
   const State shown = window_.frame()->state;
-  QTemporaryDir dir;
-  const auto answer = [&](QWidget* dialog) {
-    auto* where = qobject_cast<QFileDialog*>(dialog);
-    if (where == nullptr) return;
-    where->setDirectory(dir.path());
-    where->findChild<QLineEdit*>("fileNameEdit")->setText("mid.json");
-    QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
-  };
+  const QTemporaryDir dir;
   const std::string file = dir.filePath("mid.json").toStdString();
-  with_answers(
-      answer, [&] { trigger("Save the run as it stands..."); },
-      [&] { return QFile::exists(QString::fromStdString(file)); });
+  save_run_as(dir.filePath("mid.json"));
   const Preset saved = read_preset(file);
   ASSERT_TRUE(saved.saved && saved.saved->checkpoint);
   EXPECT_FALSE(window_.preset().saved);
@@ -241,6 +245,32 @@ TEST_F(LabExportTest, TheRunIsSavedAtItsPresentTime) {
   ASSERT_TRUE(test::wait_in_event_loop([&] { return window_.frame()->time < 1.2; }));
   EXPECT_NEAR(window_.frame()->time, 1.0, 0.01);
   EXPECT_EQ(window_.frame()->state.q, shown.q);
+}
+
+// At the end of a step, and within one: just before an impact.
+TEST_F(LabExportTest, TheRunIsSavedAtTheShownMoment) {
+  window_.run_until(1.0);
+  const QTemporaryDir dir;
+  LabRuns& runs = window_.session().runs();
+  for (const bool at_impact : {false, true}) {
+    SCOPED_TRACE(at_impact);
+    if (at_impact) {
+      runs.go_by_impact(false);
+    } else {
+      runs.go_to(0.9);
+    }
+    ASSERT_TRUE(test::wait_in_event_loop([&] { return runs.there(); }));
+    const std::shared_ptr<const Frame> shown = window_.frame();
+    ASSERT_LT(shown->time, 0.91);
+    const QString file = dir.filePath(at_impact ? "impact.json" : "step.json");
+    save_run_as(file);
+    EXPECT_EQ(window_.frame(), shown) << "it is shown on";
+    const Preset saved = read_preset(file.toStdString());
+    EXPECT_EQ(saved.saved->time, shown->time);
+    const Simulation again(setup_of(saved));
+    EXPECT_EQ(again.state().q, shown->state.q);
+    EXPECT_EQ(again.state().v, shown->state.v);
+  }
 }
 
 TEST_F(LabExportTest, TheFilmDialogShowsNumberAndLengthOfFrames) {
