@@ -44,6 +44,7 @@ bool SceneTools::refuse(const QString& sentence) {
 
 void SceneTools::scene_edited() {
   if (telling_) return;
+  row_ = {};
   drop_typing();
   end_note();
 }

@@ -131,7 +131,7 @@ class SceneTools : public QObject {
   void end_typing();
   // Takes back what was typed, with the drag in which it was.
   void cancel_typing();
-  // The scene was edited: unless by these tools, what the bubble says is over.
+  // The scene was edited: unless by these tools, what the bubble says is over, and so is a row of keys.
   void scene_edited();
   // The edit that is being told was refused: its bubble says why. False if none is.
   bool refuse(const QString& sentence);

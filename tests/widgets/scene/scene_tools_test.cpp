@@ -213,6 +213,22 @@ TEST_F(SceneToolsTest, KeysOfARowShareANumber) {
   EXPECT_NE(told_[3].drag, told_[2].drag);
 }
 
+// As by undo: what it made of the bodies is not overwritten.
+TEST_F(SceneToolsTest, ARowOfKeysEndsWhenTheSceneIsEditedByOtherMeans) {
+  answers_ = true;
+  view_.select({"A"});
+  const Scene before = scene_;
+  QTest::keyClick(&view_, Qt::Key_Right);
+  const double once = scene_.bodies[1].position.x();
+  scene_ = before;
+  view_.scene_edited();
+  show(true);
+  QTest::keyClick(&view_, Qt::Key_Right);
+  EXPECT_EQ(scene_.bodies[1].position.x(), once);
+  ASSERT_EQ(told_.size(), 2U);
+  EXPECT_NE(told_[0].drag, told_[1].drag) << "another step of undo";
+}
+
 TEST_F(SceneToolsTest, ArrowsPanWithoutASelection) {
   const double before = view_.camera().center.x();
   QTest::keyClick(&view_, Qt::Key_Right);
