@@ -11,6 +11,7 @@ SceneEdits as_stated(SceneEdits edits, const Scene& scene, double time) {
     Body& body = replace->part;
     const Body* stated = part_of(scene.bodies, body.id);
     if (stated == nullptr || !stated->drive) continue;
+    if (body.drive) body.velocity = Vec2::Zero();
     if (body.position == as_seen(*stated, time).position) {
       body.position = stated->position;  // without rounding: it was not moved
     } else if (body.drive) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "physics/scene/drive.h"
 #include "physics/scene/edit.h"
 #include "physics/scene/scene.h"
@@ -16,10 +19,19 @@ namespace carom {
   return body;
 }
 
-// The body at the place where it is seen at this time (s), which the scene states without the part of its
-// drive.
-[[nodiscard]] inline Body as_seen(Body body, double time) {
-  if (body.drive) body.position = drive_position(*body.drive, body.position, time);
+// The body at the place and with the velocity with which it is seen at this time (s): those that the scene
+// states are without the part of its drive.
+[[nodiscard]] inline Body as_seen(Body body, double time) { return moved_by_drive(std::move(body), time); }
+
+// Whether its velocity can be any: it moves freely, or is driven straight on.
+[[nodiscard]] inline bool has_own_velocity(const Body& body) {
+  return !body.fixed && (!body.drive || body.drive->amplitude.isZero(0.0));
+}
+// A body as it is seen, whose drive has the velocity that the body has.
+[[nodiscard]] inline Body driven_as_seen(Body body) {
+  if (!body.drive) return body;
+  if (has_own_velocity(body)) body.drive->velocity = body.velocity;
+  body.velocity = Vec2::Zero();
   return body;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "widgets/edit/driven.h"
 #include "widgets/scene/corner_drag.h"
 #include "widgets/scene/edit_names.h"
 
@@ -319,7 +320,7 @@ std::optional<Dragged> without_overlaps(const DragStart& start, const Dragged& d
 
 SceneEdits edits_of(const Dragged& change, bool joints) {
   SceneEdits edits;
-  for (const Body& body : change.bodies) edits.emplace_back(Replace<Body>{body});
+  for (const Body& body : change.bodies) edits.emplace_back(Replace<Body>{driven_as_seen(body)});
   for (const Joint& joint : change.joints) {
     if (joints && joint.id.number != 0) edits.emplace_back(Replace<Joint>{joint});
   }

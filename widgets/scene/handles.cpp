@@ -10,6 +10,7 @@
 
 #include "physics/math/vectors.h"
 #include "physics/scene/polygon.h"
+#include "widgets/edit/driven.h"
 #include "widgets/edit/reshaping.h"
 
 namespace carom {
@@ -177,13 +178,13 @@ std::vector<Handle> handles_of(std::span<const Body> bodies, const Camera& camer
                                std::optional<double> arrow_seconds, double turned) {
   std::vector<Handle> handles;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (arrow_seconds && !has_infinite_mass(bodies[i])) {
+    if (arrow_seconds && has_own_velocity(bodies[i])) {
       add_velocity(bodies[i], i, camera, *arrow_seconds, handles);
     }
   }
   if (bodies.size() == 1) {
     const bool arrow = !handles.empty();
-    if (arrow) add_spin(bodies[0], camera, handles);
+    if (arrow && !has_infinite_mass(bodies[0])) add_spin(bodies[0], camera, handles);
     add_knob(bodies[0], camera, arrow, turned, handles);
     add_sizes(bodies[0], camera, handles);
   }

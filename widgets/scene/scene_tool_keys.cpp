@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/edit/driven.h"
 #include "widgets/scene/grid.h"
 #include "widgets/scene/scene_tools.h"
 
@@ -148,6 +149,16 @@ void SceneTools::remove_selected() {
   if (!refusal.isEmpty()) note(refusal_bubble(refusal, mouse_, press_));
 }
 
+void SceneTools::say_no_velocity() {
+  const std::vector<Body> bodies = selected_now();
+  if (bodies.empty() || has_own_velocity(bodies.front())) return;
+  const Body& body = bodies.front();
+  const QPointF at = sight_().camera.to_screen(body.position);
+  const QString name = QString::fromStdString(body.name);
+  note(body.fixed ? Bubble{name + " is fixed", "it has no velocity", at, at, true}
+                  : Bubble{name + " goes to and fro", "the inspector has its drive", at, at, true});
+}
+
 void SceneTools::edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys) {
   const bool repeats = kind == KeyEdit::kMove || kind == KeyEdit::kVelocity || kind == KeyEdit::kTurn ||
                        kind == KeyEdit::kResize;
@@ -155,7 +166,7 @@ void SceneTools::edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys) 
                         row_.since.elapsed() < kSameRow;
   if (!same_row) {
     const HandleKind changed = changed_by(kind);
-    row_.before = editable({}, changed == HandleKind::kVelocity);
+    row_.before = editable({}, changed);
     row_.kind = kind;
     row_.names = selection_.names();
     row_.drag = row_.before.empty() ? 0 : ++drags_;
@@ -163,7 +174,7 @@ void SceneTools::edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys) 
   }
   const auto locked = locked_among(row_.drag == 0 ? selected_now() : row_.start.followers);
   if (locked) return say_locked(*locked);
-  if (row_.drag == 0) return;
+  if (row_.drag == 0) return say_no_velocity();
   const Camera camera = sight_().camera;
   Dragged wanted;
   wanted.bodies = edited_by_key(row_.start.bodies, key, keys, grid_spacing(camera));

@@ -69,7 +69,7 @@ void SceneTools::put_in_touch() {
   if (bodies.size() != 2) return;
   if (locked_.contains(bodies[0].name)) return say_locked(bodies[0].name);
   row_ = {};
-  row_.start = start_of({HandleKind::kBody, {}}, {editable({}, false).front()});
+  row_.start = start_of({HandleKind::kBody, {}}, {editable({}, HandleKind::kBody).front()});
   if (const auto locked = locked_among(row_.start.followers)) return say_locked(*locked);
   row_.drag = ++drags_;
   const Body moved = in_touch(row_.start.bodies[0], bodies[1]);
@@ -81,12 +81,14 @@ void SceneTools::put_in_touch() {
   row_ = {};
 }
 
-bool SceneTools::can_align() const { return state_ == State::kNone && editable({}, false).size() >= 2; }
+bool SceneTools::can_align() const {
+  return state_ == State::kNone && editable({}, HandleKind::kBody).size() >= 2;
+}
 
 void SceneTools::align(Alignment alignment) {
   if (!can_align()) return;
   row_ = {};
-  DragStart start = start_of({HandleKind::kBody, {}}, editable({}, false));
+  DragStart start = start_of({HandleKind::kBody, {}}, editable({}, HandleKind::kBody));
   // What is joined to one of them does not follow: each goes its own way.
   start.others.insert(start.others.end(), start.followers.begin(), start.followers.end());
   start.followers.clear();

@@ -98,8 +98,7 @@ void SceneTools::type_value_of(const Grab& target, const Bubble& where, const QS
   } else {
     if (!selection_.contains(target.body)) set_selection({target.body});
     if (locked_.contains(target.body)) return say_locked(target.body);
-    const bool motion = target.kind == HandleKind::kVelocity || target.kind == HandleKind::kSpin;
-    DragStart start = start_of(target, editable(target.body, motion));
+    DragStart start = start_of(target, editable(target.body, target.kind));
     if (start.bodies.empty() || start.bodies.front().name != target.body) return;
     if (const auto locked = locked_among(start.followers)) return say_locked(*locked);
     const Body now = start.bodies.front();

@@ -117,14 +117,16 @@ std::vector<Body> SceneTools::selected_now() const {
   return bodies;
 }
 
-std::vector<Body> SceneTools::editable(const std::string& first, bool velocities) const {
+std::vector<Body> SceneTools::editable(const std::string& first, HandleKind kind) const {
   std::vector<Body> bodies;
   const std::shared_ptr<const Frame> frame = sight_().frame;
   if (!frame || !frame->scene) return bodies;
   for (const int i : selected_indices()) {
     if (i >= static_cast<int>(frame->scene->bodies.size())) continue;
     const Body& body = frame->scene->bodies[static_cast<std::size_t>(i)];
-    if ((velocities && has_infinite_mass(body)) || locked_.contains(body.name)) continue;
+    if (kind == HandleKind::kVelocity && !has_own_velocity(body)) continue;
+    if (kind == HandleKind::kSpin && has_infinite_mass(body)) continue;
+    if (locked_.contains(body.name)) continue;
     bodies.push_back(as_seen(body, frame->time));
     if (body.name == first) std::swap(bodies.front(), bodies.back());
   }
@@ -291,8 +293,7 @@ void SceneTools::begin_drag() {
   if (!sight.frame || !sight.frame->scene) return;
   if (!selection_.contains(grab_->body)) set_selection({grab_->body});
   if (locked_.contains(grab_->body)) return say_locked(grab_->body);
-  const bool motion = grab_->kind == HandleKind::kVelocity || grab_->kind == HandleKind::kSpin;
-  start_ = start_of(*grab_, editable(grab_->body, motion));
+  start_ = start_of(*grab_, editable(grab_->body, grab_->kind));
   if (start_.bodies.empty() || start_.bodies.front().name != grab_->body) return;
   if (const auto locked = locked_among(start_.followers)) return say_locked(*locked);
   dragged_ = {.bodies = start_.bodies, .value = {}, .detail = {}, .name = {}};
@@ -300,7 +301,7 @@ void SceneTools::begin_drag() {
   const bool arrows = grab_->kind == HandleKind::kVelocity;
   const bool shown = grab_->kind != HandleKind::kSpin;  // what it was is seen in no outline
   for (const Body& body : shown ? selected_now() : std::vector<Body>()) {
-    if (!arrows || !has_infinite_mass(body)) ghosts_.push_back({body, arrows});
+    if (!arrows || has_own_velocity(body)) ghosts_.push_back({body, arrows});
   }
   for (const Body& body : shown ? start_.followers : std::vector<Body>()) ghosts_.push_back({body, arrows});
   emitted_ = refitted_ = false;

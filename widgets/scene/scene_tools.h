@@ -202,9 +202,9 @@ class SceneTools : public QObject {
   [[nodiscard]] std::vector<Body> selected_now() const;
   [[nodiscard]] std::vector<Handle> handles(const SceneSight& sight) const;
   [[nodiscard]] std::optional<Grab> grab_at(const QPointF& at) const;
-  // The selected bodies that an edit can change, none that is locked, `first` in front; of velocities only
-  // those that move freely.
-  [[nodiscard]] std::vector<Body> editable(const std::string& first, bool velocities) const;
+  // The selected bodies of which an edit can change what this handle stands for, none that is locked, `first` in
+  // front.
+  [[nodiscard]] std::vector<Body> editable(const std::string& first, HandleKind kind) const;
   [[nodiscard]] DragPoint point(Qt::KeyboardModifiers keys) const;
 
   // Tells an edit; what follows from it does not end the bubble. Returns why it was refused, or nothing.
@@ -280,6 +280,7 @@ class SceneTools : public QObject {
   void enter();
   bool escape();
   void remove_selected();
+  void say_no_velocity();
   void edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys);
   // What surrounds an edit, and what is left of it (scene_tool_limits.cpp).
   [[nodiscard]] DragStart start_of(const Grab& grab, std::vector<Body> bodies) const;
