@@ -5,6 +5,10 @@
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "app/lab/document_change.h"
 #include "app/lab/lab_runs.h"
@@ -18,17 +22,42 @@ namespace carom {
 namespace {
 
 // The picked impact, or those of the step that ends at the shown moment of the record.
-QString impact_text(const LabRuns& runs) {
-  if (!(runs.in_past() || runs.picked()) || !runs.there() || runs.frame()->playing) return {};
+struct ShownImpacts {
+  ImpactNumbers numbers;
+  std::vector<ImpactRecord> records;
+};
+std::optional<ShownImpacts> shown_impacts(const LabRuns& runs) {
+  if (!(runs.in_past() || runs.picked()) || !runs.there() || runs.frame()->playing) return std::nullopt;
   const Frame& shown = *runs.frame();
+  const Recorder& recorder = *runs.recorders().front();
   const double rounding = kSameMoment * shown.method.step;
   const std::int64_t all = runs.newest().front()->impact_count;
   const double until = runs.picked().value_or(shown.time) + rounding;
   const double from = runs.picked() ? *runs.picked() - rounding : shown.time - shown.method.step + rounding;
-  const auto [first, last] = impact_numbers(*runs.recorders().front(), from, until, all);
-  if (first > last) return {};
+  const ImpactNumbers numbers = impact_numbers(recorder, from, until, all);
+  if (numbers.first > numbers.last) return std::nullopt;
+  return ShownImpacts{numbers, impacts_between(recorder, from, until)};
+}
+
+QString impact_text(const LabRuns& runs) {
+  const auto shown = shown_impacts(runs);
+  if (!shown) return {};
+  const auto [first, last] = shown->numbers;
+  const std::int64_t all = runs.newest().front()->impact_count;
   return first == last ? SceneChips::tr("impact %1 of %2").arg(first).arg(all)
                        : SceneChips::tr("impacts %1 to %2 of %3").arg(first).arg(last).arg(all);
+}
+
+// "light with heavy"; empty unless it is one impact.
+QString impact_pair(const LabRuns& runs) {
+  const auto shown = shown_impacts(runs);
+  if (!shown || shown->records.size() != 1) return {};
+  const std::vector<Body>& bodies = *runs.frame()->bodies;
+  const auto name = [&](BodyIndex body) {
+    const auto index = static_cast<std::size_t>(body);
+    return index < bodies.size() ? QString::fromStdString(bodies[index].name) : QString();
+  };
+  return SceneChips::tr("%1 with %2").arg(name(shown->records[0].a), name(shown->records[0].b));
 }
 
 // The stop's sentence without its first words: "stopped: 3rd impact"; without a stop the end of the duration.
@@ -155,6 +184,23 @@ void SceneChips::show_time(const LabRuns& runs) {
   const QString impact = impact_text(runs);
   impact_->setText(impact);
   impact_->setVisible(!impact.isEmpty());
+  say_moment(runs);
+}
+
+// "paused at 0.333 s, impact 1 of 5, light with heavy"; never the running clock.
+void SceneChips::say_moment(const LabRuns& runs) {
+  if (runs.frame() == nullptr || !runs.there()) return;
+  QStringList said;
+  if (runs.frame()->playing) {
+    said << tr("playing");
+  } else {
+    said << tr("paused at %1 s").arg(runs.shown_time(), 0, 'f', 3);
+    for (const QString& more : {stop_->text(), impact_->text(), impact_pair(runs)}) {
+      if (!more.isEmpty()) said << more;
+    }
+  }
+  const QString text = said.join(", ");
+  if (std::exchange(said_, text) != text) view_.say(text);
 }
 
 void SceneChips::show_start(const StartOrigin& start) {

@@ -37,6 +37,7 @@ class SceneChips : public QObject {
 
  private:
   void place();
+  void say_moment(const LabRuns& runs);
   void show_position(double x, double y);  // m
 
   SceneView& view_;
@@ -50,7 +51,7 @@ class SceneChips : public QObject {
   QLabel* status_;
   QLabel* tool_;
   QLabel* position_;
-  QString status_text_, tool_text_, hint_;
+  QString status_text_, tool_text_, hint_, said_;
   bool slows_ = false;
 };
 

@@ -1,5 +1,4 @@
 #include <QAction>
-#include <QCoreApplication>
 #include <QMenu>
 #include <algorithm>
 #include <array>
@@ -9,19 +8,17 @@
 #include "app/lab/lab_window.h"
 #include "physics/observe/observables.h"
 #include "widgets/base/method_names.h"
-#include "widgets/base/number_text.h"
 #include "widgets/edit/inspected_parts.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/run/stop_editor.h"
 #include "widgets/run/transport_bar.h"
+#include "widgets/scene/body_text.h"
 #include "widgets/scene/hit.h"
 #include "widgets/scene/scene_view.h"
 
 // The menu of a right click in the scene. Its entries do what their keys do.
 namespace carom {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("SceneMenu", text); }
 
 QAction* add(QMenu& menu, const QString& text, const QKeySequence& key) {
   QAction* action = menu.addAction(text);
@@ -42,17 +39,6 @@ int index_of(const Frame& frame, const std::string& name) {
   const auto found = std::find_if(frame.bodies->begin(), frame.bodies->end(),
                                   [&](const Body& body) { return body.name == name; });
   return found == frame.bodies->end() ? -1 : static_cast<int>(found - frame.bodies->begin());
-}
-
-// "disc, 1 kg"
-QString kind_text(const Body& body) {
-  constexpr std::array<const char*, std::variant_size_v<Shape>> kShapes = {
-      QT_TRANSLATE_NOOP("SceneMenu", "disc"), QT_TRANSLATE_NOOP("SceneMenu", "box"),
-      QT_TRANSLATE_NOOP("SceneMenu", "polygon"), QT_TRANSLATE_NOOP("SceneMenu", "wall"),
-      QT_TRANSLATE_NOOP("SceneMenu", "several shapes")};
-  const QString shape = tr(kShapes[body.shape.index()]);
-  if (has_infinite_mass(body)) return tr("%1, %2").arg(shape, body.fixed ? tr("fixed") : tr("driven"));
-  return tr("%1, %2 kg").arg(shape, short_figure(mass_of(body)));
 }
 
 // Without a mark of a key in it.

@@ -1,5 +1,11 @@
 #include "widgets/scene/body_text.h"
 
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "widgets/base/number_text.h"
 #include "widgets/scene/drawing_forces.h"
 #include "widgets/scene/grid.h"
 
@@ -34,6 +40,30 @@ QString body_text(const Frame& frame, int index) {
                 .arg(number(force.x()), number(force.y()));
   }
   return "<div style='white-space: nowrap'>" + text + "</div>";
+}
+
+QString kind_text(const Body& body) {
+  constexpr std::array<const char*, std::variant_size_v<Shape>> kShapes = {"disc", "box", "polygon", "wall",
+                                                                           "several shapes"};
+  const QString shape = kShapes[body.shape.index()];
+  if (has_infinite_mass(body)) return shape + (body.fixed ? ", fixed" : ", driven");
+  return QString("%1, %2 kg").arg(shape, short_figure(mass_of(body)));
+}
+
+QString spoken_text(const Frame& frame, int index) {
+  const Body& body = (*frame.bodies)[static_cast<std::size_t>(index)];
+  const Vec2 at = frame.state.position(index);
+  const Vec2 v = frame.state.velocity(index);
+  const double spin = frame.state.v(2, index);
+  const auto number = [](double value) { return number_text(value, 4); };
+  QString text = QString::fromStdString(body.name) + ", " + kind_text(body);
+  text += QString(", x %1 m, y %2 m").arg(number(at.x()), number(at.y()));
+  if (body.fixed) return text;
+  const double degrees = std::atan2(v.y(), v.x()) * 180.0 / std::numbers::pi;
+  text += v.isZero(0.0) ? QString(", at rest")
+                        : QString(", %1 m/s at %2°").arg(number(v.norm()), number_text(degrees, 3));
+  if (spin != 0.0) text += QString(", spin %1 rad/s").arg(number(spin));
+  return text;
 }
 
 }  // namespace carom

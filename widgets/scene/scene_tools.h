@@ -202,8 +202,8 @@ class SceneTools : public QObject {
   [[nodiscard]] std::vector<Body> selected_now() const;
   [[nodiscard]] std::vector<Handle> handles(const SceneSight& sight) const;
   [[nodiscard]] std::optional<Grab> grab_at(const QPointF& at) const;
-  // The selected bodies of which an edit can change what this handle stands for, none that is locked, `first` in
-  // front.
+  // The selected bodies of which an edit can change what this handle stands for, none that is locked, `first`
+  // in front.
   [[nodiscard]] std::vector<Body> editable(const std::string& first, HandleKind kind) const;
   [[nodiscard]] DragPoint point(Qt::KeyboardModifiers keys) const;
 

@@ -37,6 +37,7 @@ const QMarginsF& fit_margins() {
 }  // namespace
 
 SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
+  QAccessible::installFactory(&SceneAccessible::make);  // first: what is asked for earlier is kept
   picture_.theme = theme;
   uses_opengl_ = qgetenv("CAROM_PAINTER") != "qpainter" && GlCanvas::available();
   if (uses_opengl_) {
@@ -48,6 +49,7 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
   tools_ = new SceneTools([this] { return sight(); }, this);
   connect(tools_, &SceneTools::selectionChanged, this, [this](const std::vector<std::string>& names) {
     refresh();  // names make room for handles, and selected bodies keep their arrows beside an impact
+    tell(*this, spoken_body_.selected(frame_.get(), names));
     emit selectionChanged(names);
   });
   connect(tools_, &SceneTools::partChosen, this, &SceneView::partChosen);
@@ -114,6 +116,7 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame, OtherRuns others) 
   tell_follow();
   refresh();
   tip_.follow(sight());
+  tell(*this, spoken_body_.shown(frame_.get(), selection()));
 }
 
 void SceneView::set_picked(std::optional<double> impact) {
@@ -257,6 +260,17 @@ void SceneView::refresh_tools() {
   if (!picture_.overlay.bubble.value.isEmpty()) picture_.overlay.bubble.clear_of = around_bubble();
   if (press_ != Press::kPan) show_cursor(last_at_);
   canvas_->update();
+  say_bubble();
+}
+
+void SceneView::say(const QString& text) {
+  if (accessibleDescription() != text) setAccessibleDescription(text);
+}
+
+void SceneView::say_bubble() {
+  const Bubble& bubble = picture_.overlay.bubble;
+  const QString text = bubble.detail.isEmpty() ? bubble.value : bubble.value + ", " + bubble.detail;
+  if (std::exchange(said_bubble_, text) != text && !text.isEmpty()) say(text);
 }
 
 void SceneView::show_cursor(const QPointF& at) {

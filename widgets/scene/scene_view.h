@@ -14,6 +14,7 @@
 #include "widgets/scene/follow.h"
 #include "widgets/scene/qpainter_canvas.h"
 #include "widgets/scene/scale_row.h"
+#include "widgets/scene/scene_accessible.h"
 #include "widgets/scene/scene_export.h"
 #include "widgets/scene/scene_tip.h"
 #include "widgets/scene/scene_tools.h"
@@ -65,6 +66,8 @@ class SceneView : public QWidget {
   void zoom_out();
 
   [[nodiscard]] bool uses_opengl() const { return uses_opengl_; }
+  // What is shown; nullptr: nothing.
+  [[nodiscard]] const Frame* frame() const { return frame_.get(); }
   [[nodiscard]] const Camera& camera() const { return picture_.camera; }
   [[nodiscard]] const Drawing& drawing() const { return picture_.drawing; }
 
@@ -105,6 +108,8 @@ class SceneView : public QWidget {
   [[nodiscard]] const Bubble& bubble() const { return picture_.overlay.bubble; }
   // Whether all selected bodies are locked.
   [[nodiscard]] bool all_locked() const { return tools_->all_locked(); }
+  // To screen readers (scene_accessible.h), as the view's description: the moment, or a value that was changed.
+  void say(const QString& text);
 
  signals:
   void selectionChanged(const std::vector<std::string>& names);
@@ -175,6 +180,7 @@ class SceneView : public QWidget {
   [[nodiscard]] Obstacles around_bubble() const;          // what it stands clear of
   [[nodiscard]] bool on_bubble(const QPointF& at) const;  // whose value a click edits
   void show_cursor(const QPointF& at);
+  void say_bubble();
 
   Picture picture_;
   DrawingOptions options_;
@@ -207,6 +213,8 @@ class SceneView : public QWidget {
   QPointF press_at_;
   QPointF last_at_;
   QString hint_;
+  SpokenBody spoken_body_;
+  QString said_bubble_;
   SceneTip tip_{this};
 };
 

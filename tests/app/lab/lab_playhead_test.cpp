@@ -49,6 +49,7 @@ TEST_F(LabPlayheadTest, ImpactsAndBothEnds) {
   EXPECT_EQ(touching.velocity(0), light.velocity) << "before the impact";
   EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
   EXPECT_TRUE(chip("Impact at this moment")->isVisible());
+  EXPECT_EQ(window_.scene_view().accessibleDescription(), "paused at 0.333 s, impact 1 of 1, light with heavy");
   EXPECT_EQ(clock(), QString("t = %1 s of %2 s").arg(time(), 0, 'f', 3).arg(end_->time, 0, 'f', 3));
   press(Qt::Key_PageUp);
   EXPECT_EQ(steps(), 0) << "there is no earlier one";
@@ -238,6 +239,26 @@ TEST_F(LabPlayheadTest, GoesOnFromHereUntilItIsUndone) {
   EXPECT_TRUE(test::same_bytes(window_.frame()->state, end_->state));
   QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(wait_for([=, this] { return !runs().in_past() && steps() == at; }));
+}
+
+// Within a step too: there the run stands, the impact ahead.
+TEST_F(LabPlayheadTest, GoesOnFromAnImpact) {
+  press(Qt::Key_PageUp);
+  const std::shared_ptr<const Frame> shown = window_.frame();
+  press(Qt::Key_G);
+  ASSERT_TRUE(wait_for([this] { return !runs().in_past() && window_.frame()->setup->edits.size() == 1; }));
+  EXPECT_EQ(time(), shown->time);
+  EXPECT_EQ(window_.frame()->impact_count, 0);
+  EXPECT_TRUE(test::same_bytes(window_.frame()->state, shown->state));
+  window_.run_until(1.0);
+  EXPECT_EQ(window_.frame()->impact_count, 1);
+  EXPECT_EQ(time(), end_->time) << "its other steps are where they were";
+  EXPECT_LT((window_.frame()->state.q - end_->state.q).cwiseAbs().maxCoeff(), 1e-12);
+  QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(wait_there());
+  EXPECT_EQ(time(), shown->time);
+  press(Qt::Key_End);
+  EXPECT_TRUE(test::same_bytes(window_.frame()->state, end_->state));
 }
 
 // A mass holds from the shown moment on; the record after it comes back with one step of undo.

@@ -1,0 +1,119 @@
+#include "widgets/scene/scene_accessible.h"
+
+#include <QTest>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/support/scene_fixture.h"
+#include "tests/widgets/scene/scene_tools_fixture.h"
+#include "tests/widgets/scene/scene_view_fixture.h"
+
+namespace carom {
+namespace {
+
+class SceneAccessibleTest : public SceneViewFixture {
+ protected:
+  void SetUp() override {
+    SceneViewFixture::SetUp();
+    show(preset_);
+  }
+  std::shared_ptr<const Frame> show(const Preset& preset, bool playing = false) {
+    const auto frame = frame_of(Simulation(setup_of(preset)));
+    frame->playing = playing;
+    view_.set_frame(frame);
+    return frame;
+  }
+  QAccessibleInterface* list() { return QAccessible::queryAccessibleInterface(&view_); }
+
+  Preset preset_ = two_discs();
+};
+
+TEST_F(SceneAccessibleTest, TheSceneIsAListOfItsBodies) {
+  Body& disc = preset_.scene.bodies[1];
+  disc.name = "light";
+  disc.shape = Disc{0.1};
+  disc.mass = 1.0;
+  disc.density.reset();
+  disc.position = {-0.85, -0.16};
+  disc.velocity = {std::sqrt(3.0), 1.0};
+  disc.spin = -0.5;
+  show(preset_);
+  ASSERT_EQ(list()->role(), QAccessible::List);
+  ASSERT_EQ(list()->childCount(), static_cast<int>(preset_.scene.bodies.size()));
+  QAccessibleInterface* item = list()->child(1);
+  EXPECT_EQ(item->text(QAccessible::Name),
+            QString::fromUtf8("light, disc, 1 kg, x −0.85 m, y −0.16 m, 2 m/s at 30°, "
+                              "spin −0.5 rad/s"));
+  EXPECT_EQ(list()->indexOfChild(item), 1);
+  EXPECT_EQ(item->parent(), list());
+  EXPECT_EQ(list()->child(99), nullptr);
+  // 100 px/m about the world's origin in the middle.
+  const QRect place = item->rect().translated(-view_.mapToGlobal(QPoint()));
+  EXPECT_EQ(place, QRect(205, 206, 20, 20));
+  const QPoint at = view_.mapToGlobal(QPoint(215, 216));
+  EXPECT_EQ(list()->childAt(at.x(), at.y()), item);
+  EXPECT_EQ(list()->childAt(-1000, 0), nullptr);
+}
+
+TEST_F(SceneAccessibleTest, AnItemIsSelectedByItsAction) {
+  QAccessibleInterface* item = list()->child(1);
+  EXPECT_FALSE(item->state().selected);
+  auto* actions = item->actionInterface();
+  ASSERT_NE(actions, nullptr);
+  actions->doAction(QAccessibleActionInterface::pressAction());
+  EXPECT_EQ(view_.selection(), std::vector{preset_.scene.bodies[1].name});
+  EXPECT_TRUE(item->state().selected);
+  EXPECT_FALSE(list()->child(0)->state().selected);
+}
+
+TEST_F(SceneAccessibleTest, ASelectionAndWhatBecomesOfItAreSaid) {
+  SpokenBody spoken;
+  const std::vector<std::string> selection = {"A", "B"};
+  EXPECT_FALSE(spoken.selected(view_.frame(), {}));
+  EXPECT_FALSE(spoken.selected(nullptr, selection));
+  const auto first = spoken.selected(view_.frame(), selection);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->event, QAccessible::Focus);
+  EXPECT_EQ(first->body, 2);
+  EXPECT_FALSE(spoken.shown(show(preset_).get(), selection)) << "nothing has changed";
+  preset_.scene.bodies[2].position.x() += 0.01;
+  const auto moved = spoken.shown(show(preset_).get(), selection);
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->event, QAccessible::NameChanged);
+  EXPECT_EQ(moved->body, 2);
+  preset_.scene.bodies[2].position.x() += 0.01;
+  EXPECT_FALSE(spoken.shown(show(preset_, true).get(), selection)) << "never the running clock";
+}
+
+class SpokenValueTest : public SceneToolsTest {};
+
+TEST_F(SpokenValueTest, AValueIsSaidAfterEachKey) {
+  answers_ = true;
+  view_.select({"A"});
+  for (const char* value : {"2.1", "2.2"}) {
+    QTest::keyClick(&view_, Qt::Key_Up, Qt::ControlModifier);
+    EXPECT_TRUE(view_.bubble().value.startsWith(value)) << view_.bubble().value.toStdString();
+    EXPECT_TRUE(view_.accessibleDescription().startsWith(view_.bubble().value));
+  }
+  view_.say("paused");
+  view_.set_theme(dark_theme());
+  EXPECT_EQ(view_.accessibleDescription(), "paused") << "a bubble is said once";
+}
+
+TEST_F(SceneAccessibleTest, OfAFrameWithFewerBodiesNoOtherIsLeft) {
+  QAccessibleInterface* last = list()->child(list()->childCount() - 1);
+  ASSERT_TRUE(last->isValid());
+  preset_.scene.bodies.pop_back();
+  show(preset_);
+  EXPECT_FALSE(last->isValid());
+  EXPECT_TRUE(last->state().invalid);
+  EXPECT_EQ(last->text(QAccessible::Name), "");
+  view_.clear();
+  EXPECT_EQ(list()->childCount(), 0);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QAccessibleWidget>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "physics/record/frame.h"
+
+namespace carom {
+
+class SceneView;
+
+// What a screen reader finds in a SceneView: a list whose items are the bodies, in the order of the frame, and
+// the field of a value while one is typed. An item is named by spoken_text(), and its action selects it.
+class SceneAccessible : public QAccessibleWidget {
+ public:
+  explicit SceneAccessible(SceneView* view);
+  ~SceneAccessible() override;
+  SceneAccessible(const SceneAccessible&) = delete;
+  SceneAccessible& operator=(const SceneAccessible&) = delete;
+
+  // For QAccessible::installFactory().
+  static QAccessibleInterface* make(const QString& class_name, QObject* object);
+
+  [[nodiscard]] int childCount() const override;
+  [[nodiscard]] QAccessibleInterface* child(int index) const override;
+  [[nodiscard]] int indexOfChild(const QAccessibleInterface* child) const override;
+  [[nodiscard]] QAccessibleInterface* childAt(int x, int y) const override;
+  [[nodiscard]] QAccessibleInterface* focusChild() const override;
+
+ private:
+  class Item;
+
+  [[nodiscard]] int body_count() const;
+  [[nodiscard]] QAccessibleInterface* typing() const;  // the field's bubble; nullptr: there is none
+
+  SceneView& view_;
+  mutable std::vector<QAccessible::Id> items_;  // made when they are asked for; QAccessible owns them
+};
+
+// What screen readers are told of the body that was selected last, and only while nothing plays: that would be
+// a running clock.
+class SpokenBody {
+ public:
+  struct News {
+    QAccessible::Event event;
+    int body;
+  };
+  // Another selection; another frame.
+  [[nodiscard]] std::optional<News> selected(const Frame* frame, const std::vector<std::string>& selection);
+  [[nodiscard]] std::optional<News> shown(const Frame* frame, const std::vector<std::string>& selection);
+
+ private:
+  QString text_;  // as told
+};
+// To those that are there.
+void tell(SceneView& view, const std::optional<SpokenBody::News>& news);
+
+}  // namespace carom
