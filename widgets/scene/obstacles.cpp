@@ -10,6 +10,7 @@ namespace {
 constexpr double kAround = 8.0;  // px, of a handle from its middle
 constexpr double kStep = 8.0;    // px, from one place that is tried to the next
 constexpr int kSteps = 25;
+constexpr int kOfText = 8;  // how many others a text counts for
 
 bool crosses(const QLineF& line, const QRectF& rect) {
   if (rect.contains(line.p1()) || rect.contains(line.p2())) return true;
@@ -36,12 +37,13 @@ int Obstacles::covered_by(const QRectF& rect) const {
                           std::clamp(disc.centre.y(), rect.top(), rect.bottom()));
     return QLineF(disc.centre, nearest).length() < disc.radius;
   });
-  const auto rects_under =
-      std::count_if(rects.begin(), rects.end(), [&](const QRectF& each) { return each.intersects(rect); });
+  const auto among = [&rect](const std::vector<QRectF>& all) {
+    return std::count_if(all.begin(), all.end(), [&](const QRectF& each) { return each.intersects(rect); });
+  };
   const auto areas_under = std::count_if(areas.begin(), areas.end(), [&](const QPainterPath& area) {
     return area.controlPointRect().intersects(rect) && area.intersects(rect);
   });
-  return static_cast<int>(lines_under + discs_under + rects_under + areas_under);
+  return static_cast<int>(lines_under + discs_under + among(rects) + areas_under + kOfText * among(texts));
 }
 
 void add_handles(std::span<const Handle> handles, Obstacles& obstacles) {

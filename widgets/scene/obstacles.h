@@ -20,6 +20,7 @@ struct Obstacles {
   std::vector<Disc> discs;
   std::vector<QRectF> rects;
   std::vector<QPainterPath> areas;
+  std::vector<QRectF> texts;  // each counts as several of the others: it can't be read around something
 
   // How many of them lie under the rectangle.
   [[nodiscard]] int covered_by(const QRectF& rect) const;

@@ -16,7 +16,7 @@ void add_aim(const Aim& aim, const Camera& camera, Obstacles& out) {
   for (const Body& body : aim.meeting) {
     if (!body.fixed) out.areas.push_back(body_path(body, camera));
   }
-  out.rects.push_back(text_place(aim, camera));
+  out.texts.push_back(text_place(aim, camera));
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ Obstacles obstacles_of(const Overlay& overlay, const Camera& camera) {
   }
   for (const Overlay::Link& link : overlay.links)
     out.lines.emplace_back(camera.to_screen(link.from), camera.to_screen(link.to));
-  if (overlay.direction) out.rects.push_back(text_place(*overlay.direction));
+  if (overlay.direction) out.texts.push_back(text_place(*overlay.direction));
   if (overlay.aim) add_aim(*overlay.aim, camera, out);
   return out;
 }

@@ -31,7 +31,7 @@ Obstacles SceneView::around_bubble() const {
   Obstacles around = obstacles_of(picture_.overlay, picture_.camera);
   for (const QWidget* child : findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
     const bool lies_over = child != canvas_ && child != typing_ && child->isVisible() && !child->isWindow();
-    if (lies_over) around.rects.emplace_back(child->geometry());
+    if (lies_over) around.texts.emplace_back(child->geometry());
   }
   return around;
 }

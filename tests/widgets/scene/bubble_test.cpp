@@ -63,6 +63,21 @@ TEST_F(BubbleTest, StandsClearOfTheGhost) {
   EXPECT_EQ(view_.bubble().clear_of.covered_by(rect()), 0);
 }
 
+// Handles can be seen around; words can't be read under it.
+TEST_F(BubbleTest, CoversHandlesBeforeWords) {
+  Bubble bubble{"2.0 m/s", {}, QPointF(300, 200), QPointF(290, 210), false};
+  const QSizeF size(80, 30);
+  const QSizeF view(600, 400);
+  const QRectF first = place_of(bubble, size, view);
+  bubble.clear_of.texts = {first};
+  for (const QPointF& away : {QPointF(-112, 0), QPointF(0, 62), QPointF(-112, 62)}) {
+    for (const int x : {5, 30, 55}) {
+      bubble.clear_of.rects.emplace_back(first.topLeft() + away + QPointF(x, 5), QSizeF(10, 10));
+    }
+  }
+  EXPECT_FALSE(place_of(bubble, size, view).intersects(first));
+}
+
 TEST_F(BubbleTest, StandsWithinTheScene) {
   const Bubble bubble{"2.0 m/s", {}, QPointF(590, 5), QPointF(500, 50), false};
   const QRectF place = place_of(bubble, {80, 30}, {600, 400});
