@@ -75,10 +75,13 @@ void LabWindow::make_body() {
 
 // A wide window has room for the list as a column. Else it opens over the scene, and closes once an experiment
 // is chosen.
+bool LabWindow::list_pinned() const { return width() >= kPinnedFrom && pin_action_->isChecked(); }
+
 void LabWindow::place_list() {
   QWidget* all = centralWidget();
   auto* row = static_cast<QHBoxLayout*>(all->layout());
-  const bool pinned = width() >= kPinnedFrom;
+  pin_action_->setEnabled(width() >= kPinnedFrom);
+  const bool pinned = list_pinned();
   const bool was_pinned = row->indexOf(list_) >= 0;
   list_action_->setCheckable(!pinned);  // there it stays, and its search is gone to
   name_in_bar_->setVisible(!pinned);
@@ -97,7 +100,7 @@ void LabWindow::place_list() {
 }
 
 void LabWindow::open_list(bool open) {
-  const bool pinned = width() >= kPinnedFrom;
+  const bool pinned = list_pinned();
   list_->setVisible(open || pinned);
   if (open) {
     place_list();

@@ -187,6 +187,10 @@ void LabWindow::make_view_menu() {
   });
   list_action_->setCheckable(true);
   connect(list_action_, &QAction::toggled, this, &LabWindow::open_list);
+  pin_action_ = add_action(view, "", tr("E&xperiments beside the scene"), QKeySequence(), [] {});
+  pin_action_->setCheckable(true);
+  pin_action_->setChecked(true);
+  connect(pin_action_, &QAction::toggled, this, &LabWindow::place_list);
   add_action(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->find(); });
   add_action(view, "", tr("&Zoom to the selection"), QKeySequence(Qt::Key_Z),
              [this] { view_->show_selected(); });
@@ -194,10 +198,11 @@ void LabWindow::make_view_menu() {
              [this] { plots_->reset_zoom(); });
   view->addSeparator();
   add_toggles(view);
-  QAction* slow = add_action(view, "", tr("&Slow near impacts"), QKeySequence(Qt::SHIFT | Qt::Key_I), [] {});
-  slow->setCheckable(true);
-  slow->setToolTip(tr("A twentieth of the speed from 50 ms before an impact to 50 ms after it (Shift+I)"));
-  connect(slow, &QAction::toggled, this, [this](bool on) {
+  slow_action_ = add_action(view, "", tr("&Slow near impacts"), QKeySequence(Qt::SHIFT | Qt::Key_I), [] {});
+  slow_action_->setCheckable(true);
+  slow_action_->setToolTip(
+      tr("A twentieth of the speed from 50 ms before an impact to 50 ms after it (Shift+I)"));
+  connect(slow_action_, &QAction::toggled, this, [this](bool on) {
     session_.runs().slow_near_impacts(on);
     chips_->say_slower(on);
     chips_->show_time(session_.runs());

@@ -95,6 +95,7 @@ class LabWindow : public QMainWindow {
   // The layout (lab_layout.cpp).
   void make_body();
   void open_list(bool open);
+  [[nodiscard]] bool list_pinned() const;
   void place_list();
   void standard_layout();
   [[nodiscard]] QWidget* make_scene();
@@ -195,13 +196,15 @@ class LabWindow : public QMainWindow {
   LabExports* exports_ = nullptr;
   WorkRecovery* recovery_ = nullptr;
 
-  ExperimentList* list_ = nullptr;  // a column of a wide window, else over the scene
+  ExperimentList* list_ = nullptr;  // a column of a wide window (list_pinned()), else over the scene
   QAction* list_action_ = nullptr;
+  QAction* pin_action_ = nullptr;       // the list is a column where there is room
   QToolButton* list_button_ = nullptr;  // with the name of the open experiment
   QAction* name_in_bar_ = nullptr;      // that button
   QAction* undo_ = nullptr;
   QAction* first_start_ = nullptr;
-  QAction* run_before_ = nullptr;  // the run before is shown
+  QAction* run_before_ = nullptr;   // the run before is shown
+  QAction* slow_action_ = nullptr;  // near impacts
   SceneView* view_ = nullptr;
   SceneChips* chips_ = nullptr;
   TransportBar* transport_ = nullptr;

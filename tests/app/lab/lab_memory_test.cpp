@@ -52,6 +52,8 @@ TEST_F(LabMemoryTest, TheNextWindowIsLikeTheLast) {
   window_.findChild<BodiesSheet*>()->show_columns({"speed", "K"});
   action("Inspector")->trigger();
   action("Dark colours")->trigger();
+  action("Slow near impacts")->trigger();
+  action("Experiments beside the scene")->setChecked(false);
   window_.resize(1100, 720);
   window_.keep_layout(settings_);
   action("Light colours")->trigger();
@@ -62,6 +64,13 @@ TEST_F(LabMemoryTest, TheNextWindowIsLikeTheLast) {
   EXPECT_TRUE(next.findChild<Drawer*>()->folded());
   EXPECT_EQ(next.findChild<BodiesSheet*>()->shown_columns(), (QStringList{"speed", "K"}));
   EXPECT_EQ(next.size(), QSize(1100, 720));
+  const auto is_checked = [&next](const char* text) {
+    const QList<QAction*> actions = next.findChildren<QAction*>();
+    return std::any_of(actions.begin(), actions.end(),
+                       [&](const QAction* a) { return a->text().remove('&') == text && a->isChecked(); });
+  };
+  EXPECT_TRUE(is_checked("Slow near impacts"));
+  EXPECT_FALSE(is_checked("Experiments beside the scene"));
   QMenu* recent = nullptr;
   for (QMenu* menu : next.findChildren<QMenu*>()) {
     if (menu->title() == "Open &recent") recent = menu;

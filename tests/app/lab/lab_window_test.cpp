@@ -137,8 +137,19 @@ TEST_F(LabWindowTest, TheListOpensOverTheSceneAndCloses) {
     EXPECT_EQ(QApplication::focusWidget(), search) << "E goes to its search";
     EXPECT_TRUE(experiments->isVisible());
   }
+  QAction* beside = action("Experiments beside the scene");
+  beside->trigger();
+  EXPECT_FALSE(experiments->isVisible()) << "it opens over the scene again";
+  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+  EXPECT_TRUE(experiments->isVisible());
+  QTest::keyClick(search, Qt::Key_Escape);
+  EXPECT_FALSE(experiments->isVisible());
+  action("Standard layout")->trigger();
+  EXPECT_TRUE(experiments->isVisible());
+  EXPECT_TRUE(beside->isEnabled());
   window_.resize(1300, 800);
   EXPECT_FALSE(experiments->isVisible());
+  EXPECT_FALSE(beside->isEnabled());
 }
 
 // Others that speak of the words stand before it in the list.
