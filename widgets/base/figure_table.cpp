@@ -136,7 +136,9 @@ void FigureModel::set_columns(std::vector<Column> columns) {
   endResetModel();
 }
 
-FigureTable::FigureTable(FigureModel* model, QWidget* parent) : KeptTable(parent), model_(model) {
+FigureTable::FigureTable(FigureModel* model, const QString& name, QWidget* parent)
+    : KeptTable(parent), model_(model) {
+  setAccessibleName(name);
   model->setParent(this);
   setModel(model);
   setItemDelegate(new FigureDelegate(this));

@@ -76,7 +76,7 @@ class FigureTable : public KeptTable {
   Q_OBJECT
 
  public:
-  FigureTable(FigureModel* model, QWidget* parent);
+  FigureTable(FigureModel* model, const QString& name, QWidget* parent);
 
   // Text for spreadsheets: tabs between the cells, every digit, two cells for a vector.
   [[nodiscard]] QString text() const { return text('\t'); }

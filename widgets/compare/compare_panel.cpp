@@ -160,6 +160,7 @@ QWidget* ComparePanel::make_choices() {
   impacts_ = make_choice(kImpacts, &Method::impacts, true, tr("When the chosen run resolves impacts"));
   contacts_ = make_choice(kContacts, &Method::contacts, true, tr("How the chosen run treats lasting contacts"));
   step_ = new QSlider(Qt::Horizontal);
+  step_->setAccessibleName(tr("Step of the chosen run"));
   step_->setRange(0, kDecades * kPlaces);
   step_->setPageStep(kPlaces / 4);
   step_->setMinimumWidth(60);

@@ -119,7 +119,7 @@ CompareTable::CompareTable(const Theme& theme, QWidget* parent)
                                     {"drift / J", 84, false, 3},
                                     {"CPU, s/s", 72, false, 2}},
                                    nullptr),
-                  parent) {
+                  tr("Compared methods"), parent) {
   setSelectionMode(QAbstractItemView::SingleSelection);
   set_theme(theme);
 }

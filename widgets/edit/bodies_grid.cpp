@@ -72,14 +72,13 @@ struct Pasted {
 }  // namespace
 
 BodiesGrid::BodiesGrid(QWidget* parent)
-    : FigureTable(new BodiesModel, parent),
+    : FigureTable(new BodiesModel, tr("Bodies"), parent),
       rows_(static_cast<BodiesModel*>(model())),
       value_(new PlainLabel(viewport())) {
   setItemDelegate(new CellDelegate(this));
   setSelectionBehavior(QAbstractItemView::SelectItems);
   setSelectionMode(QAbstractItemView::ContiguousSelection);
   setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
-  setAccessibleName(tr("Bodies"));
   value_->setObjectName("bubble");
   value_->setContentsMargins(6, 2, 6, 2);
   value_->hide();

@@ -118,7 +118,7 @@ ReadingTable::ReadingTable(QWidget* parent)
                                     {"least", 67, false, 3},
                                     {"largest", 67, false, 3}},
                                    nullptr),
-                  parent) {
+                  tr("Reading"), parent) {
   // Curves of several methods differ in the end of their names.
   setTextElideMode(Qt::ElideMiddle);
 }

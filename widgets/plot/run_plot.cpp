@@ -63,6 +63,8 @@ RunPlot::RunPlot(PlotContent content, const Theme& theme, QWidget* parent)
 RunPlot::~RunPlot() { hide(); }
 
 void RunPlot::build_header() {
+  setAccessibleName(tr("Plot of %1").arg(content_.title));
+  plot_->setAccessibleName(accessibleName());
   auto* header = new QHBoxLayout;
   header->setSpacing(4);
   auto* title = new ElidedLabel(this);

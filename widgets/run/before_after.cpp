@@ -361,7 +361,8 @@ QString BeforeAfterModel::theory_tip(Quantity quantity, bool value) const {
                : translated("Theory and run differ by this share of the bodies' values, all taken as positive");
 }
 
-BeforeAfterTable::BeforeAfterTable(QWidget* parent) : FigureTable(new BeforeAfterModel(nullptr), parent) {}
+BeforeAfterTable::BeforeAfterTable(QWidget* parent)
+    : FigureTable(new BeforeAfterModel(nullptr), tr("Before and after"), parent) {}
 
 void BeforeAfterTable::show_pair(BeforeAfter compared) {
   static_cast<BeforeAfterModel*>(model())->set(std::move(compared));

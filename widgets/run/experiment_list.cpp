@@ -131,6 +131,8 @@ ExperimentList::ExperimentList(const Theme& theme, QWidget* parent)
     : QFrame(parent), theme_(theme), search_(new QLineEdit(this)), list_(new QListWidget(this)) {
   setObjectName("sidebar");
   search_->setPlaceholderText(tr("Search experiments"));
+  search_->setAccessibleName(tr("Search experiments"));
+  list_->setAccessibleName(tr("Experiments"));
   search_->setClearButtonEnabled(true);
   list_->setItemDelegate(new ExperimentDelegate(&theme_, list_));
   list_->setMouseTracking(true);
@@ -275,6 +277,7 @@ void ExperimentList::fill() {
       topic = item.topic;
       auto* caption = new QListWidgetItem(list_);
       caption->setData(kTitle, topic);
+      caption->setData(Qt::AccessibleTextRole, topic);
       caption->setFlags(Qt::NoItemFlags);
     }
     auto* row = new QListWidgetItem(list_);
@@ -282,11 +285,15 @@ void ExperimentList::fill() {
     row->setData(kTitle, item.title);
     row->setData(kObserve, item.observe);
     row->setToolTip(plain_tip(item.title + (item.observe.isEmpty() ? QString() : "\n" + item.observe)));
+    row->setData(Qt::AccessibleTextRole, item.title);
+    row->setData(Qt::AccessibleDescriptionRole, item.observe);
     if (i < pictures_.size()) row->setData(kPicture, pictures_[i]);
   }
   if (list_->count() == 0 && !items_.empty()) {
     auto* none = new QListWidgetItem(list_);
-    none->setData(kTitle, tr("No experiment speaks of “%1”.").arg(search_->text().trimmed()));
+    const QString said = tr("No experiment speaks of “%1”.").arg(search_->text().trimmed());
+    none->setData(kTitle, said);
+    none->setData(Qt::AccessibleTextRole, said);
     none->setFlags(Qt::NoItemFlags);
   }
   set_current(current_);

@@ -139,7 +139,7 @@ ImpactsTable::ImpactsTable(QWidget* parent)
                                     {"jₜ / N·s", 78},
                                     {"lost / J", 82}},
                                    nullptr),
-                  parent) {
+                  tr("Impacts"), parent) {
   setToolTip(tr("A click on an impact goes to its moment; a click on a head sorts"));
   horizontalHeader()->setSortIndicator(kNumber, Qt::DescendingOrder);
   setSortingEnabled(true);

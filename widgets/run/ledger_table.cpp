@@ -154,7 +154,7 @@ LedgerTable::LedgerTable(QWidget* parent)
                                    {"y / kg m/s", 84},
                                    {"angular / kg m²/s", 118}},
                                   nullptr),
-                  parent) {}
+                  tr("Ledger"), parent) {}
 
 void LedgerTable::set_scene(const Preset& preset) { static_cast<LedgerModel*>(model())->set(preset); }
 

@@ -24,27 +24,28 @@ QString TransportBar::speed_text(double speed) {
 
 TransportBar::TransportBar(const Theme& theme, QWidget* parent) : QFrame(parent), theme_(theme) {
   setObjectName("panel");
-  const auto button = [&](const QString& tip) {
+  const auto button = [&](const QString& name, const QString& tip) {
     auto* b = new QToolButton(this);
     b->setIconSize({18, 18});
+    b->setAccessibleName(name);
     b->setToolTip(tip);
     b->setFocusPolicy(Qt::TabFocus);
     return b;
   };
-  restart_ = button(tr("Restart at the newest start (R)"));
-  starts_ = button(tr("All starts since the file was opened"));
+  restart_ = button(tr("Restart"), tr("Restart at the newest start (R)"));
+  starts_ = button(tr("Starts"), tr("All starts since the file was opened"));
   starts_->setObjectName("more");
   starts_->setText(QStringLiteral("▾"));
   starts_->setPopupMode(QToolButton::InstantPopup);
-  play_ = button(tr("Play or pause (Space)"));
+  play_ = button({}, tr("Play or pause (Space)"));
   play_->setFixedSize(36, 36);
-  back_ = button(tr("Back by a step (,)"));
-  step_ = button(tr("One step (.)"));
-  flag_ = button(tr("Stops: where the run is to halt (H)"));
-  speed_ = button(tr("Speed: simulated seconds per second (Ctrl+, and Ctrl+.)"));
+  back_ = button(tr("Step back"), tr("Back by a step (,)"));
+  step_ = button(tr("Step"), tr("One step (.)"));
+  flag_ = button(tr("Stops"), tr("Stops: where the run is to halt (H)"));
+  speed_ = button({}, tr("Speed: simulated seconds per second (Ctrl+, and Ctrl+.)"));
   speed_->setObjectName("choice");
   speed_->setPopupMode(QToolButton::InstantPopup);
-  speed_->setText(speed_text(1.0));
+  show_speed(1.0);
   auto* menu = new QMenu(speed_);
   for (const double speed : speeds()) {
     menu->addAction(speed_text(speed), this, [this, speed] { choose_speed(speed); });
@@ -82,6 +83,7 @@ void TransportBar::set_icons() {
   flag_->setIcon(themed_icon("flag", theme_.text));
   step_->setIcon(themed_icon("step", theme_.text));
   play_->setIcon(themed_icon(playing_ ? "pause" : "play", theme_.panel));
+  play_->setAccessibleName(playing_ ? tr("Pause") : tr("Play"));
   play_->setStyleSheet(
       QString("QToolButton { background: %1; border-radius: 18px; } QToolButton:hover { background: %2; }")
           .arg(theme_.accent.name(), theme_.accent.lighter(112).name()));
@@ -89,9 +91,14 @@ void TransportBar::set_icons() {
 
 const QWidget& TransportBar::flag() const { return *flag_; }
 
+void TransportBar::show_speed(double speed) {
+  speed_->setText(speed_text(speed));
+  speed_->setAccessibleName(tr("Speed %1").arg(speed_text(speed)));
+}
+
 void TransportBar::choose_speed(double speed) {
   chosen_speed_ = speed;
-  speed_->setText(speed_text(speed));
+  show_speed(speed);
   emit speedChosen(speed);
 }
 

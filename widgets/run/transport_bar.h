@@ -44,6 +44,7 @@ class TransportBar : public QFrame {
  private:
   void set_icons();
   void choose_speed(double speed);
+  void show_speed(double speed);
 
   Theme theme_;
   QToolButton* restart_;

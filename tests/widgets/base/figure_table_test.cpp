@@ -43,7 +43,7 @@ TEST(FigureTable, WhatGoneRowsShowedIsNotRead) {
 // With what theory says of it in the rows below.
 TEST(FigureTable, ASumStaysInSightWithTheRowsUnderIt) {
   auto* model = new Counted;
-  FigureTable table(model, nullptr);
+  FigureTable table(model, "counted", nullptr);
   constexpr int kSum = 17;
   model->set_sum(kSum);
   model->set_count(kSum + 3);
@@ -58,7 +58,7 @@ TEST(FigureTable, ASumStaysInSightWithTheRowsUnderIt) {
 
 TEST(FigureTable, NoRowIsCutInHalf) {
   auto* model = new Counted;
-  FigureTable table(model, nullptr);
+  FigureTable table(model, "counted", nullptr);
   table.show();
   model->set_count(3);
   table.resize(200, 300);

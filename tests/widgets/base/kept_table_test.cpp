@@ -51,7 +51,7 @@ class KeptTableTest : public testing::Test {
   }
 
   Sums* rows = new Sums;
-  FigureTable table{rows, nullptr};
+  FigureTable table{rows, "rows", nullptr};
 };
 
 TEST_F(KeptTableTest, NamesAndSumsStayWhereTheRestScrolls) {
