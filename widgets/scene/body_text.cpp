@@ -1,6 +1,5 @@
 #include "widgets/scene/body_text.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -43,9 +42,8 @@ QString body_text(const Frame& frame, int index) {
 }
 
 QString kind_text(const Body& body) {
-  constexpr std::array<const char*, std::variant_size_v<Shape>> kShapes = {"disc", "box", "polygon", "wall",
-                                                                           "several shapes"};
-  const QString shape = kShapes[body.shape.index()];
+  const bool compound = std::holds_alternative<Compound>(body.shape);
+  const QString shape = compound ? "several shapes" : kShapeWords[body.shape.index()];
   if (has_infinite_mass(body)) return shape + (body.fixed ? ", fixed" : ", driven");
   return QString("%1, %2 kg").arg(shape, short_figure(mass_of(body)));
 }

@@ -126,7 +126,8 @@ void Monkey::edit_key() {
       KeyHeld{Qt::Key_K, Qt::NoModifier},      KeyHeld{Qt::Key_Tab, Qt::NoModifier},
       KeyHeld{Qt::Key_A, Qt::ControlModifier}, KeyHeld{Qt::Key_D, Qt::ControlModifier},
       KeyHeld{Qt::Key_Return, Qt::NoModifier}, KeyHeld{Qt::Key_Escape, Qt::NoModifier},
-      KeyHeld{Qt::Key_Delete, Qt::NoModifier}, KeyHeld{Qt::Key_2, Qt::NoModifier}};
+      KeyHeld{Qt::Key_Delete, Qt::NoModifier}, KeyHeld{Qt::Key_2, Qt::NoModifier},
+      KeyHeld{Qt::Key_G, Qt::ControlModifier}, KeyHeld{Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier}};
   const KeyHeld& chosen = kKeys[static_cast<std::size_t>(below(static_cast<int>(kKeys.size())))];
   if (window_ == nullptr || !answers()) return;
   QWidget* widget = QApplication::focusWidget();

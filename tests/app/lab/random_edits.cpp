@@ -127,6 +127,11 @@ Shape RandomEdits::shape() {
       const double width = between(0.1, 0.5);
       return Box{width, between(0.1, 0.5)};
     }
+    case 2: {
+      const double far = between(0.1, 0.4);
+      return Compound{{{Box{2.0 * far, 0.1}, {0.0, 0.0}, 0.0, {}},
+                       {Disc{between(0.05, 0.2)}, {far, 0.0}, 0.0, once_in(2) ? surface() : std::string()}}};
+    }
     case 1:
       return Polygon{{{0.0, 0.0}, {between(0.1, 0.5), 0.0}, {0.0, between(0.1, 0.5)}}};
     default:
