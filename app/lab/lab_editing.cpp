@@ -41,7 +41,8 @@ const Body* drawn_disc(const SceneEdits& edits) {
 // Edits of bodies as they are seen at the shown moment, as the session takes them.
 SceneEdits stated(const SceneEdits& edits, LabRuns& runs) {
   const auto scene = runs.shown_scene();
-  return scene == nullptr || runs.frame() == nullptr ? edits : as_stated(edits, *scene, runs.frame()->time);
+  if (scene == nullptr || runs.frame() == nullptr) return edits;
+  return as_stated(edits, *scene, runs.frame()->time, runs.at_start());
 }
 
 }  // namespace

@@ -27,15 +27,15 @@ namespace carom {
 [[nodiscard]] inline bool has_own_velocity(const Body& body) {
   return !body.fixed && (!body.drive || body.drive->amplitude.isZero(0.0));
 }
-// A body as it is seen, whose drive has the velocity that the body has.
-[[nodiscard]] inline Body driven_as_seen(Body body) {
-  if (!body.drive) return body;
-  if (has_own_velocity(body)) body.drive->velocity = body.velocity;
-  body.velocity = Vec2::Zero();
+// A body as it is seen, whose drive has the velocity that the body was given.
+[[nodiscard]] inline Body driven_so(Body body) {
+  if (body.drive && has_own_velocity(body)) body.drive->velocity = body.velocity;
   return body;
 }
 
-// Edits of driven bodies as they are seen, as edits of the scene that states them.
-[[nodiscard]] SceneEdits as_stated(SceneEdits edits, const Scene& scene, double time);
+// Edits of bodies as they are seen at this time (s), as edits of the scene that states them. Where a drive is
+// another one, what the body does from now on begins where it is seen at the start of a run, and where its
+// velocity was pulled (driven_so()); else its drive was always so.
+[[nodiscard]] SceneEdits as_stated(SceneEdits edits, const Scene& scene, double time, bool at_start);
 
 }  // namespace carom

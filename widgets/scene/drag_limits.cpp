@@ -320,11 +320,16 @@ std::optional<Dragged> without_overlaps(const DragStart& start, const Dragged& d
 
 SceneEdits edits_of(const Dragged& change, bool joints) {
   SceneEdits edits;
-  for (const Body& body : change.bodies) edits.emplace_back(Replace<Body>{driven_as_seen(body)});
+  for (const Body& body : change.bodies) edits.emplace_back(Replace<Body>{body});
   for (const Joint& joint : change.joints) {
     if (joints && joint.id.number != 0) edits.emplace_back(Replace<Joint>{joint});
   }
   return edits;
+}
+
+SceneEdits edits_as_seen(Dragged change, bool joints) {
+  for (Body& body : change.bodies) body = driven_so(std::move(body));
+  return edits_of(change, joints);
 }
 
 QString overlap_text(const Overlap& overlap, const DragPoint& point) {

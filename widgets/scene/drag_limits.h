@@ -22,6 +22,8 @@ void set_beside(DragStart& start, Surroundings beside, bool may_follow = true);
 
 // The edits that it is; those of its `joints` too if any of them is another one.
 [[nodiscard]] SceneEdits edits_of(const Dragged& change, bool joints);
+// Of bodies as they are seen: the velocity of one that is driven straight on is that of its drive.
+[[nodiscard]] SceneEdits edits_as_seen(Dragged change, bool joints);
 
 // "light and heavy overlap by 3.2 cm"
 [[nodiscard]] QString overlap_text(const Overlap& overlap, const DragPoint& point);

@@ -187,7 +187,7 @@ void SceneTools::end_drag() {
 }
 
 QString SceneTools::emit_change(const Dragged& change, bool joints, int drag) {
-  return own_edit(edits_of(change, joints), change.name, drag);
+  return own_edit(edits_as_seen(change, joints), change.name, drag);
 }
 
 }  // namespace carom

@@ -67,7 +67,7 @@ void SceneTools::type_in_drag(const QString& first) {
     typing.drag = drags_;
     typing.changed = emitted_;
     typing.in_drag = true;
-    if (emitted_) typing.last = Typing::Last{edits_of(dragged_, refitted_), dragged_.name};
+    if (emitted_) typing.last = Typing::Last{edits_as_seen(dragged_, refitted_), dragged_.name};
   }
   begin_typing(std::move(typing), first);
 }

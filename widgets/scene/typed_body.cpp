@@ -76,16 +76,18 @@ class TypedBody : public TypedThing {
     now_ = left->bodies[0];
     if (!now_.velocity.isZero(0.0)) direction_ = radians(direction(now_.velocity));
     refits_ |= left->refits;
-    return {edits_of(*left, refits_), left->name, left->value, left->detail, {}};
+    return {edits_as_seen(*left, refits_), left->name, left->value, left->detail, {}};
   }
   [[nodiscard]] std::unique_ptr<TypedThing> clone() const override {
     return std::make_unique<TypedBody>(*this);
   }
 
  private:
-  // As the fields of the body state it; what has a handle has a field.
+  // As the fields of the body state it, or those of one that moves freely: what has a handle has a field.
   [[nodiscard]] Range range_of(const char* key, int part = -1) const {
-    const std::vector<FieldRow> rows = all_rows(now_);
+    Body body = now_;
+    body.drive.reset();
+    const std::vector<FieldRow> rows = all_rows(body);
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const FieldRow& r) {
       return r.place.key == key && r.place.part == part;
     });
