@@ -39,25 +39,20 @@ std::optional<ShownImpacts> shown_impacts(const LabRuns& runs) {
   return ShownImpacts{numbers, impacts_between(recorder, from, until)};
 }
 
-QString impact_text(const LabRuns& runs) {
-  const auto shown = shown_impacts(runs);
-  if (!shown) return {};
-  const auto [first, last] = shown->numbers;
-  const std::int64_t all = runs.newest().front()->impact_count;
+QString impact_text(const ShownImpacts& shown, std::int64_t all) {
+  const auto [first, last] = shown.numbers;
   return first == last ? SceneChips::tr("impact %1 of %2").arg(first).arg(all)
                        : SceneChips::tr("impacts %1 to %2 of %3").arg(first).arg(last).arg(all);
 }
 
 // "light with heavy"; empty unless it is one impact.
-QString impact_pair(const LabRuns& runs) {
-  const auto shown = shown_impacts(runs);
-  if (!shown || shown->records.size() != 1) return {};
-  const std::vector<Body>& bodies = *runs.frame()->bodies;
+QString impact_pair(const ShownImpacts& shown, const std::vector<Body>& bodies) {
+  if (shown.records.size() != 1) return {};
   const auto name = [&](BodyIndex body) {
     const auto index = static_cast<std::size_t>(body);
     return index < bodies.size() ? QString::fromStdString(bodies[index].name) : QString();
   };
-  return SceneChips::tr("%1 with %2").arg(name(shown->records[0].a), name(shown->records[0].b));
+  return SceneChips::tr("%1 with %2").arg(name(shown.records[0].a), name(shown.records[0].b));
 }
 
 // The stop's sentence without its first words: "stopped: 3rd impact"; without a stop the end of the duration.
@@ -181,21 +176,22 @@ void SceneChips::show_time(const LabRuns& runs) {
   const QString stop = stop_text(runs, runs.duration());
   stop_->setText(stop);
   stop_->setVisible(!stop.isEmpty());
-  const QString impact = impact_text(runs);
+  const auto impacts = shown_impacts(runs);
+  const QString impact = impacts ? impact_text(*impacts, runs.newest().front()->impact_count) : QString();
   impact_->setText(impact);
   impact_->setVisible(!impact.isEmpty());
-  say_moment(runs);
+  say_moment(runs, impacts ? impact_pair(*impacts, *runs.frame()->bodies) : QString());
 }
 
 // "paused at 0.333 s, impact 1 of 5, light with heavy"; never the running clock.
-void SceneChips::say_moment(const LabRuns& runs) {
+void SceneChips::say_moment(const LabRuns& runs, const QString& impact_pair) {
   if (runs.frame() == nullptr || !runs.there()) return;
   QStringList said;
   if (runs.frame()->playing) {
     said << tr("playing");
   } else {
     said << tr("paused at %1 s").arg(runs.shown_time(), 0, 'f', 3);
-    for (const QString& more : {stop_->text(), impact_->text(), impact_pair(runs)}) {
+    for (const QString& more : {stop_->text(), impact_->text(), impact_pair}) {
       if (!more.isEmpty()) said << more;
     }
   }

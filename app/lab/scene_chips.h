@@ -37,7 +37,7 @@ class SceneChips : public QObject {
 
  private:
   void place();
-  void say_moment(const LabRuns& runs);
+  void say_moment(const LabRuns& runs, const QString& impact_pair);
   void show_position(double x, double y);  // m
 
   SceneView& view_;

@@ -6,7 +6,6 @@
 #include "widgets/scene/body_text.h"
 #include "widgets/scene/hit.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/scene/value_bubble.h"
 
 namespace carom {
 
@@ -91,16 +90,11 @@ int SceneAccessible::body_count() const {
   return view_.frame() == nullptr ? 0 : carom::body_count(*view_.frame());
 }
 
-QAccessibleInterface* SceneAccessible::typing() const {
-  auto* bubble = view_.findChild<ValueBubble*>();
-  return bubble != nullptr && bubble->isVisible() ? QAccessible::queryAccessibleInterface(bubble) : nullptr;
-}
-
-int SceneAccessible::childCount() const { return body_count() + (typing() != nullptr ? 1 : 0); }
+int SceneAccessible::childCount() const { return body_count() + QAccessibleWidget::childCount(); }
 
 QAccessibleInterface* SceneAccessible::child(int index) const {
-  if (index < 0 || index > body_count()) return nullptr;
-  if (index == body_count()) return typing();
+  if (index < 0) return nullptr;
+  if (index >= body_count()) return QAccessibleWidget::child(index - body_count());
   while (static_cast<int>(items_.size()) <= index) {
     items_.push_back(
         QAccessible::registerAccessibleInterface(new Item(view_, static_cast<int>(items_.size()))));
@@ -110,7 +104,10 @@ QAccessibleInterface* SceneAccessible::child(int index) const {
 
 int SceneAccessible::indexOfChild(const QAccessibleInterface* child) const {
   if (child == nullptr) return -1;
-  if (child == typing()) return body_count();
+  if (child->object() != nullptr) {
+    const int widget = QAccessibleWidget::indexOfChild(child);
+    return widget < 0 ? -1 : body_count() + widget;
+  }
   const auto same =
       std::find(items_.begin(), items_.end(), QAccessible::uniqueId(const_cast<QAccessibleInterface*>(child)));
   return same == items_.end() ? -1 : static_cast<int>(same - items_.begin());
@@ -118,9 +115,11 @@ int SceneAccessible::indexOfChild(const QAccessibleInterface* child) const {
 
 QAccessibleInterface* SceneAccessible::childAt(int x, int y) const {
   const QPoint at = view_.mapFromGlobal(QPoint(x, y));
-  if (view_.frame() == nullptr || !view_.rect().contains(at)) return nullptr;
-  const int body = body_at(*view_.frame(), view_.camera(), at);
-  return body < 0 ? nullptr : child(body);
+  if (!view_.rect().contains(at)) return nullptr;
+  QAccessibleInterface* widget = QAccessibleWidget::childAt(x, y);
+  if (widget != nullptr && widget->object() != view_.canvas()) return widget;
+  const int body = view_.frame() == nullptr ? -1 : body_at(*view_.frame(), view_.camera(), at);
+  return body < 0 ? widget : child(body);
 }
 
 QAccessibleInterface* SceneAccessible::focusChild() const {

@@ -11,8 +11,9 @@ namespace carom {
 
 class SceneView;
 
-// What a screen reader finds in a SceneView: a list whose items are the bodies, in the order of the frame, and
-// the field of a value while one is typed. An item is named by spoken_text(), and its action selects it.
+// What a screen reader finds in a SceneView: a list whose items are the bodies, in the order of the frame;
+// after them come the widgets that lie over the scene. An item is named by spoken_text(), and its action
+// selects it.
 class SceneAccessible : public QAccessibleWidget {
  public:
   explicit SceneAccessible(SceneView* view);
@@ -33,7 +34,6 @@ class SceneAccessible : public QAccessibleWidget {
   class Item;
 
   [[nodiscard]] int body_count() const;
-  [[nodiscard]] QAccessibleInterface* typing() const;  // the field's bubble; nullptr: there is none
 
   SceneView& view_;
   mutable std::vector<QAccessible::Id> items_;  // made when they are asked for; QAccessible owns them

@@ -49,7 +49,8 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
   tools_ = new SceneTools([this] { return sight(); }, this);
   connect(tools_, &SceneTools::selectionChanged, this, [this](const std::vector<std::string>& names) {
     refresh();  // names make room for handles, and selected bodies keep their arrows beside an impact
-    tell(*this, spoken_body_.selected(frame_.get(), names));
+    const auto news = spoken_body_.selected(frame_.get(), names);
+    if (hasFocus()) tell(*this, news);
     emit selectionChanged(names);
   });
   connect(tools_, &SceneTools::partChosen, this, &SceneView::partChosen);

@@ -68,6 +68,8 @@ class SceneView : public QWidget {
   [[nodiscard]] bool uses_opengl() const { return uses_opengl_; }
   // What is shown; nullptr: nothing.
   [[nodiscard]] const Frame* frame() const { return frame_.get(); }
+  // On which it is painted.
+  [[nodiscard]] const QWidget* canvas() const { return canvas_; }
   [[nodiscard]] const Camera& camera() const { return picture_.camera; }
   [[nodiscard]] const Drawing& drawing() const { return picture_.drawing; }
 
