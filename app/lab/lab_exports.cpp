@@ -225,18 +225,20 @@ void LabExports::copy_data(const RunPlot* plot, bool shown) {
 // -----------------------------------------------------------------------------------------------------------
 
 void LabExports::save_run() {
-  if (!has_run()) return;
+  if (!has_run() || !session_.history().may_edit_moment()) return;
   const LabRuns& runs = session_.runs();
-  const double time = runs.shown_time();
+  const double time = runs.frame()->time;
+  Preset document = session_.document();
+  document.edits = session_.history().edits_left();  // as when the run goes on from there
   const QString suggestion = tr("run, t = %1 s.json").arg(time, 0, 'g', 6);
-  ask_for_file(
-      window_, tr("Save the run as it stands"), suggestion, {{tr("Carom presets (*.json)"), "json"}},
-      [this, time, frame = runs.newest().front(), document = session_.document()](const QString& file) {
-        with_progress(window_, tr("Save the run"), tr("The run cannot be saved"), [=](const Progress& go_on) {
-          const auto run = run_at(*frame->setup, frame->key_frames, time, go_on);
-          if (run) save_preset(saved_preset(document, *run), file.toStdString());
-        });
-      });
+  ask_for_file(window_, tr("Save the run as it stands"), suggestion, {{tr("Carom presets (*.json)"), "json"}},
+               [this, time, frame = runs.newest().front(), document](const QString& file) {
+                 with_progress(window_, tr("Save the run"), tr("The run cannot be saved"),
+                               [=](const Progress& go_on) {
+                                 const auto run = run_at(*frame->setup, frame->key_frames, time, go_on);
+                                 if (run) save_preset(saved_preset(document, *run), file.toStdString());
+                               });
+               });
 }
 
 void LabExports::make_film() {

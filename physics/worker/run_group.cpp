@@ -43,11 +43,18 @@ void RunGroup::keep_runs(EditId edit, Frames untaken, bool taken_back) {
     if (!taken_back) std::erase_if(kept_, [](const auto& each) { return each.second.returned; });
     kept_[edit] = {.preset = preset_, .begun = runs_begun(), .time = time};
     if (runs_.empty()) kept_[edit].begun.runs = runs_of(preset_);  // they could not begin
+    if (cut_) {
+      const RunEdit divides{cut_->time, cut_->edit, SceneEdits{}};  // where they are on their way to
+      for (MethodAndEdits& run : kept_[edit].begun.runs) {
+        const auto place = std::upper_bound(run.edits.begin(), run.edits.end(), divides, is_earlier);
+        run.edits.insert(place, divides);
+      }
+    }
   }
   const auto made = kept_.find(edit);
   Kept& kept = made->second;
   kept.returned = taken_back;
-  if (!interrupted_ && kept.begun.start == start_ && kept.time == time) {
+  if (!interrupted_ && !cut_ && kept.begun.start == start_ && kept.time == time) {
     kept.runs = std::exchange(runs_, {});
     kept.untaken = std::move(untaken);
   }

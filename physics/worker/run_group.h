@@ -105,8 +105,8 @@ class RunGroup {
   [[nodiscard]] bool reaches(double time) const { return !may_step(runs_.front(), time); }
   void step_first();
   enum class Advance { kReached, kDeadline, kRunLost, kStopMet };
-  // Steps the runs until all that are not lost are within a step of `time`. kRunLost: a run was just lost;
-  // kStopMet: the first run has just met a stop (LiveRun::met()).
+  // Steps the first run until it is within a step of `time`, and the others until they are within a step of it.
+  // kRunLost: a run was just lost; kStopMet: the first run has just met a stop (LiveRun::met()).
   template <class Stop>
   Advance advance_to(double time, Clock::time_point deadline, const Stop& stop) {
     while (true) {
