@@ -260,7 +260,7 @@ void BodiesGrid::end(CellField* field) {
 }
 
 QString BodiesGrid::take(int row, int column, const QString& text) {
-  if (!rows_->can_edit()) return tr("Pause to edit.");
+  if (!rows_->can_edit()) return tr("Nothing can be edited at this moment.");
   const TypedCell typed = typed_cell(*rows_->surfaces(), rows_->bodies(), row, column, text);
   return typed.made.edits.empty() ? typed.fault : hand_out(typed.made.edits, typed.made.name);
 }
@@ -360,7 +360,7 @@ void BodiesGrid::paste() {
   const QItemSelection marked = selectionModel()->selection();
   const QModelIndex from = marked.isEmpty() ? currentIndex() : QModelIndex(marked.front().topLeft());
   if (!from.isValid()) return;
-  if (!rows_->can_edit()) return say(tr("Pause to edit."));
+  if (!rows_->can_edit()) return say(tr("Nothing can be edited at this moment."));
   Pasted pasted{.bodies = rows_->bodies()};
   int row = from.row();
   for (const QStringList& line : pasted_lines(QGuiApplication::clipboard()->text(), *rows_)) {

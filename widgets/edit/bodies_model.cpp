@@ -286,7 +286,7 @@ QString BodiesModel::why_not(int row, int column) const {
   const bool of_all = column == kBody || column == kX || column == kY || column == kRestitution;
   if (!of_all && has_infinite_mass(body))
     return tr("%1 is %2: only its name, x, y and e are edited here.").arg(name_of(body), kind_word(body));
-  return can_edit() ? QString() : tr("Pause to edit.");
+  return can_edit() ? QString() : tr("Nothing can be edited at this moment.");
 }
 
 QString BodiesModel::full_text(int row, int column) const {

@@ -415,7 +415,7 @@ TEST_F(BodiesSheetTest, WhatIsTypedStaysWhileTheSceneIsShownAnew) {
   sheet_.show_moment(std::make_shared<const Scene>(*scene_), nullptr);
   ASSERT_NE(field(), nullptr);
   EXPECT_EQ(field()->text(), "4");
-  // A run plays: nothing can be typed.
+  // The runs are on their way to a moment: nothing can be typed.
   auto frame = std::make_shared<Frame>();
   frame->bodies = std::make_shared<const std::vector<Body>>(scene_->bodies);
   frame->state = initial_state(*frame->bodies);
@@ -426,13 +426,13 @@ TEST_F(BodiesSheetTest, WhatIsTypedStaysWhileTheSceneIsShownAnew) {
   EXPECT_EQ(text(0, Column::kVelocityX), "7.000");
   key(Qt::Key_F2);
   EXPECT_EQ(field(), nullptr);
-  EXPECT_EQ(sentence(), "Pause to edit.");
-  // That is over with the run, whether a cell is current or none.
+  EXPECT_EQ(sentence(), "Nothing can be edited at this moment.");
+  // That is over when they are there, whether a cell is current or none.
   sheet_.show_moment(std::make_shared<const Scene>(*scene_), nullptr);
   EXPECT_EQ(sentence(), "");
   sheet_.show_moment(nullptr, frame);
   key(Qt::Key_F2);
-  EXPECT_EQ(sentence(), "Pause to edit.");
+  EXPECT_EQ(sentence(), "Nothing can be edited at this moment.");
   table().setCurrentIndex({});
   sheet_.show_moment(std::make_shared<const Scene>(*scene_), nullptr);
   EXPECT_EQ(sentence(), "");
