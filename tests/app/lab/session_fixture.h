@@ -6,6 +6,7 @@
 
 #include "app/lab/session.h"
 #include "physics/observe/quantity.h"
+#include "tests/support/lags.h"
 #include "tests/support/wait_events.h"
 
 namespace carom {
@@ -48,7 +49,7 @@ class SessionFixture : public testing::Test {
     if (runs.frames().size() != 1 + session_.document().compare.size() || runs.replayed()) return false;
     for (std::size_t i = 0; i < runs.frames().size(); ++i) {
       const Frame& frame = *runs.frames()[i];
-      if (frame.method != method(i) || frame.time + frame.method.step <= runs.frame()->time) return false;
+      if (frame.method != method(i) || test::lags(frame, *runs.frame())) return false;
       if (runs.recorders()[i]->series(curve) == nullptr || frame.rows_known_until < frame.time ||
           frame.bodies->size() > session_.history().bodies().size())
         return false;

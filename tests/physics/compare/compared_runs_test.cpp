@@ -7,6 +7,7 @@
 #include "physics/record/recorder.h"
 #include "physics/worker/worker.h"
 #include "tests/support/body_literal.h"
+#include "tests/support/lags.h"
 #include "tests/support/scenes.h"
 #include "tests/support/wait.h"
 
@@ -72,8 +73,8 @@ struct Window {
   bool wait_until_all_stand() {
     return wait([this] {
       for (const auto& frame : frames) {
-        const bool lags = frame->time + frame->method.step <= frames[0]->time;
-        if (lags || frame->playing || frame->rows_known_until < frame->time) return false;
+        if (test::lags(*frame, *frames[0]) || frame->playing || frame->rows_known_until < frame->time)
+          return false;
       }
       return frames[0]->steps > 0;
     });

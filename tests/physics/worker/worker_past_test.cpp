@@ -5,6 +5,7 @@
 #include "physics/preset/preset.h"
 #include "physics/worker/worker.h"
 #include "tests/support/gas_in_a_room.h"
+#include "tests/support/lags.h"
 #include "tests/support/scenes.h"
 #include "tests/support/wait.h"
 
@@ -60,9 +61,8 @@ class WorkerPast : public testing::Test {
       const Frames news = worker_.take_frames();
       if (!news.empty()) frames = news;
       if (frames.empty() || frames.front()->steps != steps || frames.front()->playing) return false;
-      return std::all_of(frames.begin(), frames.end(), [&](const auto& frame) {
-        return frame->time + frame->method.step > frames.front()->time;
-      });
+      return std::all_of(frames.begin(), frames.end(),
+                         [&](const auto& frame) { return !test::lags(*frame, *frames.front()); });
     });
     EXPECT_TRUE(there);
     return frames;

@@ -5,6 +5,7 @@
 #include "physics/record/recorder.h"
 #include "physics/worker/worker.h"
 #include "tests/support/gas_in_a_room.h"
+#include "tests/support/lags.h"
 #include "tests/support/scenes.h"
 #include "tests/support/wait.h"
 
@@ -56,7 +57,7 @@ class WorkerUndo : public testing::Test {
       frames_ = news;
       recorders_ = std::move(recorders);
       for (const auto& frame : frames_) {
-        if (frame->time + frame->method.step <= frames_[0]->time) return false;
+        if (test::lags(*frame, *frames_[0])) return false;
       }
       return !frames_[0]->replay_until && fulfilled();
     });
