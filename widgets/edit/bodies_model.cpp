@@ -159,7 +159,7 @@ void BodiesModel::show(const std::shared_ptr<const Scene>& scene, const std::sha
     for (BodyIndex i{0}; i < state_.size(); ++i) {
       Body& body = seen[static_cast<std::size_t>(i)];
       state_.set_motion(i, initial_motion(body, time));
-      if (frame != nullptr) body = as_seen(std::move(body), time);
+      if (frame != nullptr) body = moved_by_drive(std::move(body), time);
     }
     bodies = std::make_shared<const std::vector<Body>>(std::move(seen));
   }

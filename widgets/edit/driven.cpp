@@ -14,7 +14,7 @@ bool was_pulled(const Body& body, const Drive& before) {
 Body stated(Body body, const Body& before, double time, bool at_start) {
   const bool pulled = was_pulled(body, *before.drive);
   if (body.drive) body.velocity = Vec2::Zero();
-  if (body.position != as_seen(before, time).position) {
+  if (body.position != moved_by_drive(before, time).position) {
     if (body.drive) body.position -= drive_position(*body.drive, Vec2::Zero(), time);
     return body;
   }

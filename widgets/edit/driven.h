@@ -19,10 +19,6 @@ namespace carom {
   return body;
 }
 
-// The body at the place and with the velocity with which it is seen at this time (s): those that the scene
-// states are without the part of its drive.
-[[nodiscard]] inline Body as_seen(Body body, double time) { return moved_by_drive(std::move(body), time); }
-
 // Whether its velocity can be any: it moves freely, or is driven straight on.
 [[nodiscard]] inline bool has_own_velocity(const Body& body) {
   return !body.fixed && (!body.drive || body.drive->amplitude.isZero(0.0));
@@ -33,9 +29,9 @@ namespace carom {
   return body;
 }
 
-// Edits of bodies as they are seen at this time (s), as edits of the scene that states them. Where a drive is
-// another one, what the body does from now on begins where it is seen at the start of a run, and where its
-// velocity was pulled (driven_so()); else its drive was always so.
+// Edits of bodies as they are seen at this time (s; see moved_by_drive()), as edits of the scene that states
+// them. Where a drive is another one, what the body does from now on begins where it is seen at the start of a
+// run, and where its velocity was pulled (driven_so()); else its drive was always so.
 [[nodiscard]] SceneEdits as_stated(SceneEdits edits, const Scene& scene, double time, bool at_start);
 
 }  // namespace carom

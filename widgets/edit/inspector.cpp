@@ -198,7 +198,7 @@ void Inspector::choose(std::shared_ptr<const Scene> scene, const std::vector<std
     names_ = names;
     part_ = part;
     bodies_ = bodies_named(*scene_, names_);
-    for (Body& body : bodies_) body = as_seen(std::move(body), time);
+    for (Body& body : bodies_) body = moved_by_drive(std::move(body), time);
     if (other) pulled_.reset();
     show_rows();
     if (std::exchange(played_, plays_) || plays_) follow_run();

@@ -63,7 +63,8 @@ Joined drive(const JointTool& /*tool*/, const JointSight& sight, const LinkEnds&
   }
   out.to = out.from + line;
   out.name = "Drive " + QString::fromStdString(ends[0].body);
-  out.edits = {Replace<Body>{driven(as_seen(*listed(*sight.frame, ends[0].body), sight.frame->time), drive)}};
+  out.edits = {
+      Replace<Body>{driven(moved_by_drive(*listed(*sight.frame, ends[0].body), sight.frame->time), drive)}};
   return out;
 }
 

@@ -127,7 +127,7 @@ std::vector<Body> SceneTools::editable(const std::string& first, HandleKind kind
     if (kind == HandleKind::kVelocity && !has_own_velocity(body)) continue;
     if (kind == HandleKind::kSpin && has_infinite_mass(body)) continue;
     if (locked_.contains(body.name)) continue;
-    bodies.push_back(as_seen(body, frame->time));
+    bodies.push_back(moved_by_drive(body, frame->time));
     if (body.name == first) std::swap(bodies.front(), bodies.back());
   }
   return bodies;

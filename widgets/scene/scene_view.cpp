@@ -264,16 +264,6 @@ void SceneView::refresh_tools() {
   say_bubble();
 }
 
-void SceneView::say(const QString& text) {
-  if (accessibleDescription() != text) setAccessibleDescription(text);
-}
-
-void SceneView::say_bubble() {
-  const Bubble& bubble = picture_.overlay.bubble;
-  const QString text = bubble.detail.isEmpty() ? bubble.value : bubble.value + ", " + bubble.detail;
-  if (std::exchange(said_bubble_, text) != text && !text.isEmpty()) say(text);
-}
-
 void SceneView::show_cursor(const QPointF& at) {
   if (QString hint = tools_->hint(at); hint != hint_) emit hintChanged(hint_ = std::move(hint));
   if (press_ == Press::kNone && on_bubble(at)) return setCursor(Qt::IBeamCursor);

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "widgets/scene/scene_view.h"
 #include "widgets/scene/value_bubble.h"
 
@@ -34,6 +36,16 @@ Obstacles SceneView::around_bubble() const {
     if (lies_over) around.texts.emplace_back(child->geometry());
   }
   return around;
+}
+
+void SceneView::say(const QString& text) {
+  if (accessibleDescription() != text) setAccessibleDescription(text);
+}
+
+void SceneView::say_bubble() {
+  const Bubble& bubble = picture_.overlay.bubble;
+  const QString text = bubble.detail.isEmpty() ? bubble.value : bubble.value + ", " + bubble.detail;
+  if (std::exchange(said_bubble_, text) != text && !text.isEmpty()) say(text);
 }
 
 }  // namespace carom

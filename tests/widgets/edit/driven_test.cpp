@@ -21,7 +21,7 @@ class DrivenTest : public testing::Test {
     give_ids(scene_);
   }
   [[nodiscard]] const Body& piston() const { return scene_.bodies[0]; }
-  [[nodiscard]] Body seen() const { return as_seen(piston(), kTime); }
+  [[nodiscard]] Body seen() const { return moved_by_drive(piston(), kTime); }
   [[nodiscard]] SceneEdit stated(const Body& body, bool at_start) const {
     return as_stated({Replace<Body>{body}}, scene_, kTime, at_start)[0];
   }
@@ -74,7 +74,8 @@ TEST_F(DrivenTest, AFieldOfItsDriveIsNoMotionOnTheWay) {
   EXPECT_EQ(part(stated(body, false)).position, piston().position);
   EXPECT_FALSE(is_about_motion(scene_, stated(body, false)));
   const Body at_start = part(stated(body, true));
-  EXPECT_TRUE(as_seen(at_start, kTime).position.isApprox(seen().position)) << "it goes on from where it is";
+  EXPECT_TRUE(moved_by_drive(at_start, kTime).position.isApprox(seen().position))
+      << "it goes on from where it is";
 }
 
 TEST_F(DrivenTest, WhatIsNoLongerDrivenStaysWhereItIsSeen) {
