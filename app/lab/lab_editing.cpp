@@ -18,6 +18,7 @@
 #include "widgets/edit/inspector.h"
 #include "widgets/scene/allowed_motion.h"
 #include "widgets/scene/allowed_place.h"
+#include "widgets/scene/drag.h"
 #include "widgets/scene/join_shapes.h"
 #include "widgets/scene/scene_parts.h"
 #include "widgets/scene/scene_view.h"
@@ -248,7 +249,10 @@ void LabWindow::paste_at(const QPointF& at) {
     const Extent extent = extent_of(all_bodies(from.scene));
     const bool bounded = (extent.upper.array() >= extent.lower.array()).all();
     const Vec2 middle = bounded ? Vec2(0.5 * (extent.lower + extent.upper)) : Vec2(Vec2::Zero());
-    put(paste_into(*session_.runs().scene(), from, view_->camera().to_world(at) - middle), tr("Paste"));
+    // Round, so that places stay short numbers.
+    const Camera& camera = view_->camera();
+    const Vec2 shift = drawn_place(camera.to_world(at) - middle, {.scale = camera.scale}, 0.0);
+    put(paste_into(*session_.runs().scene(), from, shift), tr("Paste"));
   } catch (const SceneError& error) {
     inspector_->say(tr("The clipboard holds no preset: %1").arg(error.what()));
   }

@@ -99,6 +99,12 @@ void LabWindow::make_edit_menu() {
     all->setEnabled(view_->takes(Qt::Key_A, Qt::ControlModifier));
   });
   edit->addSeparator();
+  QAction* snapping = add(tr("Sna&pping"), QKeySequence(Qt::Key_Q), [] {});
+  snapping->setCheckable(true);
+  snapping->setChecked(true);
+  snapping->setToolTip(tr("To touching, centres, the grid and round values (Q); off while Ctrl is held"));
+  connect(snapping, &QAction::toggled, view_, &SceneView::set_snapping);
+  edit->addSeparator();
   QAction* join =
       add(tr("&Join into one body"), QKeySequence(Qt::CTRL | Qt::Key_G), [this] { join_selection(); });
   QAction* apart = add(tr("Take &apart"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G),
@@ -198,6 +204,10 @@ void LabWindow::make_view_menu() {
              [this] { plots_->reset_zoom(); });
   view->addSeparator();
   add_toggles(view);
+  QAction* loupe = add_action(view, "", tr("&Loupe at the mouse") + "\tY", {}, [] {});
+  loupe->setCheckable(true);
+  loupe->setToolTip(tr("What is at the mouse, five times as large; Y shows it while it is held"));
+  connect(loupe, &QAction::toggled, view_, &SceneView::set_loupe);
   slow_action_ = add_action(view, "", tr("&Slow near impacts"), QKeySequence(Qt::SHIFT | Qt::Key_I), [] {});
   slow_action_->setCheckable(true);
   slow_action_->setToolTip(

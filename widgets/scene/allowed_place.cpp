@@ -76,7 +76,7 @@ QString would_be(const std::string& name, const Joint& joint, double length) {
   const bool has_length = joint.kind == JointKind::kRod || joint.kind == JointKind::kString;
   const QString who = QString::fromStdString(name);
   if (has_length)
-    return who + " would be " + small_length_text(length, {.scale = kScale, .keys = Qt::ControlModifier}) + ".";
+    return who + " would be " + small_length_text(length, {.scale = kScale, .snapping = false}) + ".";
   const std::string other = joint.to.empty() ? "the plane" : joint.to;
   return who + " holds " + QString::fromStdString(joint.body + " and " + other) + " together.";
 }

@@ -62,7 +62,7 @@ Dragged move(const DragStart& start, const DragPoint& point) {
   }
   grabbed.position += delta;
   Dragged out;
-  if (!is_free(point)) {
+  if (snaps(point)) {
     const double reach = kSnapReach / point.scale;
     if (const auto touch = touching_place(grabbed, start.others, reach, axis)) {
       grabbed.position = touch->position;
@@ -101,16 +101,16 @@ Dragged pull_velocity(const DragStart& start, const DragPoint& point) {
   } else if (shift(point)) {
     const Vec2 along = before.norm() > 0.0 ? Vec2(before.normalized()) : Vec2(Vec2::UnitX());
     const double speed = std::max(0.0, along.dot(v));
-    v = (is_free(point) ? speed : snapped(speed, step)) * along;
-  } else if (!is_free(point)) {
+    v = (!snaps(point) ? speed : snapped(speed, step)) * along;
+  } else if (snaps(point)) {
     v = snapped(v.norm(), step) * unit_vector(snapped(direction(v), kDirectionStep));
   }
   Dragged out;
   out.bodies = start.bodies;
   for (Body& body : out.bodies) body.velocity += v - before;
   out.bodies[0].velocity = v;
-  const int decimals = decimals_of(step) + (is_free(point) ? 1 : 0);
-  out.value = velocity_text(v, decimals, is_free(point) ? 1 : 0);
+  const int decimals = decimals_of(step) + (!snaps(point) ? 1 : 0);
+  out.value = velocity_text(v, decimals, !snaps(point) ? 1 : 0);
   const auto parts = [decimals](const Vec2& w) {
     return QStringLiteral("(%1, %2)").arg(fixed_text(w.x(), decimals + 1), fixed_text(w.y(), decimals + 1));
   };
@@ -124,14 +124,14 @@ Dragged turn(const DragStart& start, const DragPoint& point) {
   const Vec2 from = start.press - body.position;
   const Vec2 to = point.at - body.position;
   double angle = body.angle + radians(degrees(std::atan2(to.y(), to.x()) - std::atan2(from.y(), from.x())));
-  if (!is_free(point)) {
+  if (snaps(point)) {
     angle = radians(snapped(angle * 180.0 / std::numbers::pi, shift(point) ? kLargeTurnStep : kTurnStep));
   }
   Dragged out;
   out.bodies = start.bodies;
   out.bodies[0].angle = angle;
-  out.value = angle_text(angle, is_free(point) ? 1 : 0);
-  out.detail = with_former({}, angle_text(body.angle, is_free(point) ? 1 : 0));
+  out.value = angle_text(angle, !snaps(point) ? 1 : 0);
+  out.detail = with_former({}, angle_text(body.angle, !snaps(point) ? 1 : 0));
   out.name = "Turn " + name_of_bodies(start.bodies);
   return out;
 }
@@ -140,7 +140,7 @@ Dragged spin(const DragStart& start, const DragPoint& point) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const double before = start.bodies[0].spin;
   double after = before + point.swept / radians(kArcOfSpin);
-  if (!is_free(point)) after = shift(point) ? kTurn * std::round(after / kTurn) : snapped(after, kSpinStep);
+  if (snaps(point)) after = shift(point) ? kTurn * std::round(after / kTurn) : snapped(after, kSpinStep);
   Dragged out;
   out.bodies = start.bodies;
   out.bodies[0].spin = after;
@@ -199,7 +199,7 @@ Dragged resize_box(const DragStart& start, const DragPoint& point, const Box& bo
 
 // m: to which the mouse can aim.
 double drawn_step(const DragPoint& point) {
-  return step_for_mouse(kLengthStep, point.scale) / (is_free(point) ? 10.0 : 1.0);
+  return step_for_mouse(kLengthStep, point.scale) / (!snaps(point) ? 10.0 : 1.0);
 }
 
 QString former_size(const Shape& shape, const DragPoint& point) {
@@ -245,13 +245,13 @@ Dragged drag_to(const DragStart& start, const DragPoint& point) {
 }
 
 double drawn_length(double length, const DragPoint& point) {
-  if (is_free(point)) return std::max(length, 1.0 / point.scale);
+  if (!snaps(point)) return std::max(length, 1.0 / point.scale);
   const double step = step_for_mouse(kLengthStep, point.scale);
   return std::max(snapped(length, step), step);
 }
 
 Vec2 drawn_place(const Vec2& at, const DragPoint& point, double grid) {
-  if (is_free(point)) return at;
+  if (!snaps(point)) return at;
   const double step = step_for_mouse(kLengthStep, point.scale);
   Vec2 place = at;
   for (double& c : place) {

@@ -30,12 +30,15 @@ struct DragStart {
 struct DragPoint {
   Vec2 at = Vec2::Zero();        // m
   double scale = 100.0;          // px/m
-  Qt::KeyboardModifiers keys{};  // Shift keeps a direction or the proportions, Ctrl switches snapping off
+  Qt::KeyboardModifiers keys{};  // Shift keeps a direction or the proportions
   double swept{};                // rad, around the centre of the grabbed body since the press
+  bool snapping = true;
 };
 
-// Whether nothing snaps, and nothing is parted.
-[[nodiscard]] inline bool is_free(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
+// Ctrl: bodies that overlap are not parted, and joints give way.
+[[nodiscard]] inline bool is_forced(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
+// Ctrl switches snapping off, too.
+[[nodiscard]] inline bool snaps(const DragPoint& point) { return point.snapping && !is_forced(point); }
 
 struct Dragged {
   std::vector<Body> bodies;                     // in the order of the start, then its followers
@@ -54,10 +57,10 @@ struct Dragged {
 
 [[nodiscard]] Dragged drag_to(const DragStart& start, const DragPoint& point);
 
-// m: a length that the mouse drew, in round steps unless Ctrl is down; never 0.
+// m: a length that the mouse drew, in round steps if it snaps; never 0.
 [[nodiscard]] double drawn_length(double length, const DragPoint& point);
 // m: a place that the mouse drew: on the lines of the grid that are near (`grid` as in DragStart), else in
-// round steps; as it is if Ctrl is down.
+// round steps; as it is if nothing snaps.
 [[nodiscard]] Vec2 drawn_place(const Vec2& at, const DragPoint& point, double grid);
 // "r 0.12 m", "0.12 m × 0.20 m", "1.20 m": what the bubble says of a size, in the unit of the fields.
 [[nodiscard]] QString size_text(const Shape& shape, const DragPoint& point);

@@ -22,7 +22,7 @@ bool resizes(const DragStart& start) {
 }
 
 DragPoint finely(DragPoint point) {
-  point.keys |= Qt::ControlModifier;
+  point.snapping = false;
   return point;
 }
 
@@ -114,7 +114,7 @@ void hold_by_joints(const DragStart& start, std::span<const Hold> holds, const D
   const auto broken =
       std::find_if(holds.begin(), holds.end(), [&](const Hold& hold) { return !keeps(hold, dragged.bodies); });
   if (broken == holds.end()) return turn_velocities(start, holds, dragged.bodies);
-  if (is_free(point)) return refit(holds, point, dragged);
+  if (is_forced(point)) return refit(holds, point, dragged);
   const auto bodies = held(all_bodies(start), dragged.bodies, holds, start.press);
   if (!bodies) return block(start, *broken, point, dragged);
   dragged.bodies = *bodies;
@@ -186,7 +186,7 @@ void say_overlap(const DragStart& start, const DragPoint& point, Dragged& dragge
                    [](const Overlap& a, const Overlap& b) { return a.depth > b.depth; });
   const QString who = QString::fromStdString(start.bodies[0].name);
   dragged.value = overlap_text(dragged.overlaps[0], point);
-  dragged.detail = is_free(point)   ? QStringLiteral("They stay so; play parts them.")
+  dragged.detail = is_forced(point) ? QStringLiteral("They stay so; play parts them.")
                    : resizes(start) ? "Let go: " + who + " shrinks until they touch. Ctrl: it stays."
                                     : "Let go: " + who + " moves out. Ctrl: it stays.";
   dragged.fault = true;
@@ -293,7 +293,7 @@ std::optional<Dragged> without_overlaps(const DragStart& start, const Dragged& d
                                         const DragPoint& point) {
   if (dragged.overlaps.empty()) return dragged;
   Dragged out = dragged;
-  if (is_free(point)) {
+  if (is_forced(point)) {
     out.value.prepend(QStringLiteral("⚠ "));
     return out;
   }

@@ -40,7 +40,7 @@ Joined drive(const JointTool& /*tool*/, const JointSight& sight, const LinkEnds&
   out.to = place_of(*sight.frame, ends[1]);
   out.fault = fault_of(sight, ends[0]);
   if (!out.fault.isEmpty()) return out;
-  const bool free = is_free(sight.mouse);
+  const bool free = !snaps(sight.mouse);
   Drive drive;
   Vec2 line = out.to - out.from;
   if (sight.mouse.keys.testFlag(Qt::ShiftModifier)) {

@@ -59,7 +59,7 @@ Joined push(const JointTool& /*tool*/, const JointSight& sight, const LinkEnds& 
     out.fault = QStringLiteral("a force begins on a body that moves");
     return out;
   }
-  const bool free = is_free(sight.mouse);
+  const bool free = !snaps(sight.mouse);
   const bool axis = sight.mouse.keys.testFlag(Qt::ShiftModifier);
   const double a_newton = metres_per_newton(sight, *body);
   const double step = force_step(sight, a_newton);

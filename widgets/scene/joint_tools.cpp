@@ -113,7 +113,7 @@ Joined distance_link(const JointTool& tool, const JointSight& sight, const LinkE
 // A place of the plane near the line across a body's motion is put on it: there a rod lets the body move on.
 LinkEnds across_motion(const JointSight& sight, LinkEnds ends) {
   const std::optional<Body> body = body_at_end(*sight.frame, ends[0]);
-  if (is_free(sight.mouse) || !moves(body) || !ends[1].body.empty()) return ends;
+  if (!snaps(sight.mouse) || !moves(body) || !ends[1].body.empty()) return ends;
   const Vec2 held = place_of(*sight.frame, ends[0]);
   const Vec2 motion = body->velocity + body->spin * crossed(held - body->position);
   if (motion.isZero(0.0)) return ends;
@@ -216,10 +216,10 @@ constexpr std::array<JointTool, 7> kJointTools = {{
     {.tool = SceneTool::kDrive, .noun = "drive", .at_centres = true, .to_mouse = true, .join = drive},
 }};
 
-// The mouse is so near the centre that it means it, unless Ctrl is down.
+// The mouse is so near the centre that it means it, if it snaps.
 bool near_centre(const Vec2& centre, const JointSight& sight) {
   const double distance = (sight.mouse.at - centre).norm() * sight.camera.scale;
-  return !is_free(sight.mouse) && distance <= kCentreReach;
+  return snaps(sight.mouse) && distance <= kCentreReach;
 }
 
 LinkEnd end_on(const Body& body, const JointSight& sight, bool at_centre) {

@@ -124,7 +124,7 @@ std::optional<KeyEdit> key_edit(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 std::vector<Body> edited_by_key(std::span<const Body> bodies, int key, Qt::KeyboardModifiers modifiers,
-                                double grid) {
+                                double step) {
   std::vector<Body> after(bodies.begin(), bodies.end());
   const std::optional<KeyEdit> edit = key_edit(key, modifiers);
   if (!edit) return after;
@@ -133,7 +133,7 @@ std::vector<Body> edited_by_key(std::span<const Body> bodies, int key, Qt::Keybo
   for (Body& body : after) {
     switch (*edit) {
       case KeyEdit::kMove:
-        body.position = stepped(body.position, times * grid * arrow_of(key), grid);
+        body.position = stepped(body.position, times * step * arrow_of(key), step);
         break;
       case KeyEdit::kVelocity:
         body.velocity = stepped(body.velocity, times * kSpeedStep * arrow_of(key), kSpeedStep);
@@ -186,7 +186,7 @@ QString value_of(KeyEdit edit, const Body& body, double scale) {
     case KeyEdit::kTurn:
       return angle_text(body.angle);
     case KeyEdit::kResize:
-      return size_text(body.shape, {.at = Vec2::Zero(), .scale = scale, .keys = Qt::ControlModifier});
+      return size_text(body.shape, {.at = Vec2::Zero(), .scale = scale, .snapping = false});
     default:
       return velocity_text(body.velocity, 2);
   }

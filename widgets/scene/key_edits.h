@@ -18,9 +18,9 @@ enum class KeyEdit { kMove, kVelocity, kTurn, kResize, kRest, kReverse };
 // What a key does to the selected bodies: arrows, with Ctrl for the velocity and with Shift ten times as much;
 // [ and ], also < and >, which turn to the left and right; + and - for the size; 0; X. Nothing for other keys.
 [[nodiscard]] std::optional<KeyEdit> key_edit(int key, Qt::KeyboardModifiers modifiers);
-// The bodies after it; `grid` is the step of a move in m.
+// The bodies after it; `step` (m) is that of a move.
 [[nodiscard]] std::vector<Body> edited_by_key(std::span<const Body> bodies, int key,
-                                              Qt::KeyboardModifiers modifiers, double grid);
+                                              Qt::KeyboardModifiers modifiers, double step);
 [[nodiscard]] QString name_of(KeyEdit edit, std::span<const Body> before, std::span<const Body> after);
 
 // The value that it changed, with its unit; `scale` in px/m.

@@ -47,6 +47,42 @@ void SceneTools::add_usual() {
   used_tool();
 }
 
+QPointF SceneTools::middle_of_view() const {
+  const QSizeF view = sight_().camera.viewport;
+  return {0.5 * view.width(), 0.5 * view.height()};
+}
+
+// px: where a click of the tool draws what overlaps no body, as near to the middle of the view as steps of the
+// grid allow; the middle itself if there is no such place in sight.
+QPointF SceneTools::free_place() {
+  constexpr double kLargestOfRandom = 1.5;  // of the model's radius
+  const ShapeTool& tool = *shape_tool(tool_);
+  const Camera camera = sight_().camera;
+  const QPointF middle = middle_of_view();
+  const double step = grid_spacing(camera) * camera.scale;
+  const int across = static_cast<int>(middle.x() / step);
+  const int upwards = static_cast<int>(middle.y() / step);
+  std::vector<QPoint> places;  // in steps from the middle
+  for (int i = across; i >= -across; --i) {
+    for (int k = -upwards; k <= upwards; ++k) places.emplace_back(i, k);
+  }
+  std::stable_sort(places.begin(), places.end(), [](const QPoint& a, const QPoint& b) {
+    return QPoint::dotProduct(a, a) < QPoint::dotProduct(b, b);
+  });
+  const Body* model = bodies_ ? model_disc(*bodies_) : nullptr;
+  const double radius = model != nullptr ? kLargestOfRandom * std::get<Disc>(model->shape).radius : 0.0;
+  const auto is_free = [&](const QPoint& place) {
+    press_ = mouse_ = middle + step * QPointF(place);
+    const Stroke at = stroke();
+    const Drawn drawn = tool.click != nullptr
+                            ? tool.click(at)
+                            : Drawn{Disc{radius}, drawn_place(at.from, at.to, at.grid), 0.0, {}};
+    return overlaps_of_new(body_of(drawn)).empty();
+  };
+  const auto found = std::find_if(places.begin(), places.end(), is_free);
+  return found == places.end() ? middle : middle + step * QPointF(*found);
+}
+
 void SceneTools::draw_at(SceneTool tool, const QPointF& at) {
   set_tool(tool, false);
   press_ = mouse_ = at;

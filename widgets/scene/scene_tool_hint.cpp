@@ -31,14 +31,21 @@ constexpr std::array<HandleHint, 14> kHandleHints = {{
 }  // namespace
 
 QString SceneTools::hint(const QPointF& at) const {
+  QString text = hint_of_mouse(at);
+  if (!snapping_ && !plays() && !text.isEmpty()) text.prepend(tr("no snapping (Q) · "));
+  return text;
+}
+
+QString SceneTools::hint_of_mouse(const QPointF& at) const {
   const SceneSight sight = sight_();
   if (!over_ || !sight.frame) return {};
-  if (state_ == State::kDrag) return tr("Ctrl: no snapping · digits: type the value · Esc: back");
+  const QString snapping = snapping_ ? tr("Ctrl: no snapping · ") : QString();
+  if (state_ == State::kDrag) return snapping + tr("digits: type the value · Esc: back");
   if (state_ == State::kHand) return tr("let go: throw it");
   const bool force = part_ && std::holds_alternative<Id<AppliedForce>>(*part_);
   if (state_ == State::kEnd)
-    return force ? tr("Shift: one axis · Ctrl: no snapping · digits: type the force · Esc: back")
-                 : tr("to a body or a place · Ctrl: no snapping · digits: type the length · Esc: back");
+    return force ? tr("Shift: one axis · ") + snapping + tr("digits: type the force · Esc: back")
+                 : tr("to a body or a place · ") + snapping + tr("digits: type the length · Esc: back");
   if (state_ == State::kBand) return tr("Shift: add · Ctrl: take away · Esc: back");
   if (state_ == State::kDraw) return {};  // the tool's own words hold
   // With a tool in hand a body is taken hold of as ever, where the tool leaves it alone.

@@ -10,7 +10,10 @@ JointSight SceneTools::joint_sight(const QPointF& at) const {
   const SceneSight sight = sight_();
   return {.frame = sight.frame,
           .camera = sight.camera,
-          .mouse = {sight.camera.to_world(at), sight.camera.scale, keys_},
+          .mouse = {.at = sight.camera.to_world(at),
+                    .scale = sight.camera.scale,
+                    .keys = keys_,
+                    .snapping = snapping_},
           .grid = sight.grid ? grid_spacing(sight.camera) : 0.0,
           .metres_per_newton = sight.forces_shown ? sight.metres_per_newton : 0.0,
           .arrow_seconds = sight.arrow_seconds};

@@ -128,11 +128,11 @@ bool SceneTools::escape() {
 // What a click draws, or what joins the selected bodies, at the mouse or else in the middle of the view.
 void SceneTools::enter() {
   if (!draft_.empty()) return close_polygon();
-  const QSizeF view = sight_().camera.viewport;
-  if (!over_) mouse_ = {0.5 * view.width(), 0.5 * view.height()};
-  press_ = mouse_;
   keys_ = {};
-  if (joint_tool(tool_) != nullptr) return join_selected();
+  const bool joins = joint_tool(tool_) != nullptr;
+  if (!over_) mouse_ = joins ? middle_of_view() : free_place();
+  press_ = mouse_;
+  if (joins) return join_selected();
   add_usual();
 }
 
@@ -177,7 +177,8 @@ void SceneTools::edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys) 
   if (row_.drag == 0) return say_no_velocity();
   const Camera camera = sight_().camera;
   Dragged wanted;
-  wanted.bodies = edited_by_key(row_.start.bodies, key, keys, grid_spacing(camera));
+  const double step = snapping_ ? grid_spacing(camera) : step_not_above(1.0 / camera.scale);
+  wanted.bodies = edited_by_key(row_.start.bodies, key, keys, step);
   wanted.value = value_of(kind, wanted.bodies.front(), camera.scale);
   wanted.name = name_of(kind, row_.before, wanted.bodies);
   row_.since.start();

@@ -222,7 +222,7 @@ std::optional<SceneTools::Grab> SceneTools::grab_at(const QPointF& at) const {
 
 DragPoint SceneTools::point(Qt::KeyboardModifiers keys) const {
   const Camera camera = sight_().camera;
-  return {camera.to_world(mouse_), camera.scale, keys, swept_};
+  return {camera.to_world(mouse_), camera.scale, keys, swept_, snapping_};
 }
 
 void SceneTools::press(const QPointF& at, bool repeated) {

@@ -72,6 +72,8 @@ class SceneTools : public QObject {
   // After one use it is kSelect again, unless it is kept.
   void set_tool(SceneTool tool, bool keep);
   [[nodiscard]] bool tool_kept() const { return keep_tool_; }
+  // Whether what is dragged or drawn snaps, and arrow keys move by the grid; while Ctrl is down nothing snaps.
+  void set_snapping(bool on) { snapping_ = on; }
   // Locked bodies are changed neither by the mouse nor by keys.
   [[nodiscard]] bool all_locked() const;  // the selected ones
   void unlock_all();
@@ -206,6 +208,7 @@ class SceneTools : public QObject {
   // in front.
   [[nodiscard]] std::vector<Body> editable(const std::string& first, HandleKind kind) const;
   [[nodiscard]] DragPoint point(Qt::KeyboardModifiers keys) const;
+  [[nodiscard]] QString hint_of_mouse(const QPointF& at) const;
 
   // Tells an edit; what follows from it does not end the bubble. Returns why it was refused, or nothing.
   QString own_edit(const SceneEdits& edits, const QString& name, int drag);
@@ -227,6 +230,8 @@ class SceneTools : public QObject {
   [[nodiscard]] Body body_of(const Drawn& drawn) const;
   void add(const Drawn& drawn);
   void add_usual();
+  [[nodiscard]] QPointF middle_of_view() const;
+  [[nodiscard]] QPointF free_place();
   void draw();
   [[nodiscard]] bool closes_polygon() const;  // a corner at the mouse
   [[nodiscard]] Vec2 next_corner() const;
@@ -302,6 +307,7 @@ class SceneTools : public QObject {
   std::unordered_map<std::string, int> index_;
   SceneTool tool_ = SceneTool::kSelect;
   bool keep_tool_ = false;
+  bool snapping_ = true;
   PolygonDraft draft_;
   std::optional<LinkEnd> first_end_;  // that a click has set
   std::optional<PartId> part_;

@@ -14,6 +14,7 @@
 
 #include "widgets/print/picture_file.h"
 #include "widgets/scene/gl_canvas.h"
+#include "widgets/scene/loupe.h"
 #include "widgets/scene/paint_drawing.h"
 #include "widgets/scene/scene_parts.h"
 #include "widgets/scene/value_bubble.h"
@@ -84,6 +85,8 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
   connect(&typing_->field(), &ValueField::nextAsked, tools_, &SceneTools::type_next);
   connect(&typing_->field(), &ValueField::finished, tools_, &SceneTools::end_typing);
   connect(&typing_->field(), &ValueField::cancelled, tools_, &SceneTools::cancel_typing);
+  loupe_ =
+      new Loupe([this](const Camera& camera) { return make_drawing(shown(picture_.theme, camera)); }, this);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName("Scene");
@@ -250,7 +253,7 @@ void SceneView::pan(const QPointF& delta) {
 void SceneView::refresh() {
   release_arrows();
   if (!isVisible()) return;  // showEvent() does it later
-  picture_.drawing = make_drawing(shown(picture_.theme), std::move(picture_.drawing));
+  picture_.drawing = make_drawing(shown(picture_.theme, picture_.camera), std::move(picture_.drawing));
   refresh_tools();
 }
 
@@ -261,13 +264,36 @@ void SceneView::refresh_tools() {
   if (!picture_.overlay.bubble.value.isEmpty()) picture_.overlay.bubble.clear_of = around_bubble();
   if (press_ != Press::kPan) show_cursor(last_at_);
   canvas_->update();
+  place_loupe();
   say_bubble();
+}
+
+void SceneView::set_loupe(bool on) {
+  loupe_on_ = on;
+  place_loupe();
+}
+
+void SceneView::hold_loupe(bool on) {
+  loupe_held_ = on;
+  place_loupe();
+}
+
+// At the mouse, and where there is none at what is selected.
+void SceneView::place_loupe() {
+  if (!loupe_on_ && !loupe_held_) return loupe_->hide();
+  const QPoint mouse = mapFromGlobal(QCursor::pos());
+  loupe_->show_at(rect().contains(mouse) ? mouse : place_of_menu(), picture_.camera, picture_.theme);
 }
 
 void SceneView::show_cursor(const QPointF& at) {
   if (QString hint = tools_->hint(at); hint != hint_) emit hintChanged(hint_ = std::move(hint));
   if (press_ == Press::kNone && on_bubble(at)) return setCursor(Qt::IBeamCursor);
   setCursor(press_ == Press::kNone && scale_under(at) ? Qt::PointingHandCursor : tools_->cursor(at));
+}
+
+void SceneView::set_snapping(bool on) {
+  tools_->set_snapping(on);
+  refresh_tools();
 }
 
 void SceneView::set_aim(std::optional<Aim> aim) {
@@ -293,11 +319,11 @@ SceneLook SceneView::look() const {
   return {picture_.camera, home_side_, options_, picture_.theme, peaks_, times_};
 }
 
-DrawingInput SceneView::shown(const Theme& theme) const {
+DrawingInput SceneView::shown(const Theme& theme, const Camera& camera) const {
   static const Frame empty;
   return {frame_ ? *frame_ : empty,
           impacts_,
-          picture_.camera,
+          camera,
           options_,
           theme,
           arrows(),
@@ -316,7 +342,7 @@ const JumpMoment* SceneView::picked_jump() const {
 
 void SceneView::paint_on_paper(QPainter& painter) const {
   const Theme& theme = light_theme();
-  DrawingInput input = shown(theme);
+  DrawingInput input = shown(theme, picture_.camera);
   input.selected = {};
   paint_drawing(painter, make_drawing(input), picture_.camera, theme);
 }
@@ -392,6 +418,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     tools_->hover(at, event->modifiers());
     show_cursor(at);
   }
+  place_loupe();
   const Vec2 world = picture_.camera.to_world(at);
   emit cursorMoved(world.x(), world.y());
 }
@@ -426,6 +453,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
     emit menuRequested(place_of_menu());
     return;
   }
+  if (event->key() == Qt::Key_Y && event->modifiers() == Qt::NoModifier) return hold_loupe(true);
   switch (event->key()) {
     case Qt::Key_F:
       return find();
@@ -452,6 +480,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
 
 void SceneView::keyReleaseEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Shift || event->key() == Qt::Key_Control) tools_->hold_keys(event->modifiers());
+  if (event->key() == Qt::Key_Y && !event->isAutoRepeat()) hold_loupe(false);
   QWidget::keyReleaseEvent(event);
 }
 
@@ -496,6 +525,7 @@ void SceneView::focusInEvent(QFocusEvent* event) {
 }
 
 void SceneView::focusOutEvent(QFocusEvent*) {
+  hold_loupe(false);
   picture_.focus_frame = false;
   canvas_->update();
 }

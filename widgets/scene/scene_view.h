@@ -21,6 +21,7 @@
 
 namespace carom {
 
+class Loupe;
 class ValueBubble;
 
 // Shows the frames of a run, zooms and pans, and lets tools select and edit bodies (scene_tools.h). It changes
@@ -87,6 +88,9 @@ class SceneView : public QWidget {
   // After one use it is kSelect again, unless it is kept.
   void set_tool(SceneTool tool, bool keep = false) { tools_->set_tool(tool, keep); }
   [[nodiscard]] bool tool_kept() const { return tools_->tool_kept(); }
+  void set_snapping(bool on);
+  // A magnifier at the mouse (loupe.h); the key Y shows it while it is held.
+  void set_loupe(bool on);
 
   [[nodiscard]] QSize sizeHint() const override { return {640, 460}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
@@ -164,7 +168,7 @@ class SceneView : public QWidget {
   void go_home();  // moves the camera to the scene's view, unless the user has moved it
   void zoom(const QPointF& at, double factor);
   void pan(const QPointF& delta);
-  [[nodiscard]] DrawingInput shown(const Theme& theme) const;
+  [[nodiscard]] DrawingInput shown(const Theme& theme, const Camera& camera) const;
   [[nodiscard]] const JumpMoment* picked_jump() const;
   void paint_on_paper(QPainter& painter) const;
   void refresh();
@@ -182,6 +186,8 @@ class SceneView : public QWidget {
   [[nodiscard]] Obstacles around_bubble() const;          // what it stands clear of
   [[nodiscard]] bool on_bubble(const QPointF& at) const;  // whose value a click edits
   void show_cursor(const QPointF& at);
+  void hold_loupe(bool on);
+  void place_loupe();
   void say_bubble();
 
   Picture picture_;
@@ -203,6 +209,9 @@ class SceneView : public QWidget {
   QWidget* canvas_ = nullptr;
   SceneTools* tools_ = nullptr;
   ValueBubble* typing_ = nullptr;
+  Loupe* loupe_ = nullptr;
+  bool loupe_on_ = false;
+  bool loupe_held_ = false;  // by its key
   std::optional<Aim> aim_;
   std::optional<ArrowScale> held_arrows_;  // since an edit, so that what was drawn keeps its length
   std::optional<double> run_seconds_;      // m of arrow per m/s, while a run lasts

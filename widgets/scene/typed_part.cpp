@@ -61,7 +61,7 @@ class TypedEnd : public TypedThing {
  public:
   TypedEnd(const JointSight& sight, const PartId& part, std::size_t end, const Vec2& other)
       : sight_(sight), part_(part), end_(end), other_(other), along_(sight.mouse.at - other) {
-    sight_.mouse.keys = Qt::ControlModifier;
+    sight_.mouse.snapping = false;
   }
 
   [[nodiscard]] QString subject() const override { return title_of(sight_, part_); }

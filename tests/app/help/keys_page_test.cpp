@@ -35,6 +35,7 @@ TEST_F(KeysPage, HasTheKeysThatMenusName) {
   EXPECT_TRUE(page.contains("| Del | Delete |")) << page.toStdString();
   EXPECT_TRUE(page.contains("| Ctrl+A | Select all |"));
   EXPECT_TRUE(page.contains("| K | Put in touch |"));
+  EXPECT_TRUE(page.contains("| Y | Loupe at the mouse |"));
 }
 
 // The keys that no menu has: all that edit bodies, and the others of the scene.

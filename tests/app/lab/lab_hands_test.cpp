@@ -211,6 +211,9 @@ TEST_F(LabHandsTest, CopiesAndDeletes) {
   EXPECT_TRUE(QApplication::clipboard()->text().contains("carom-preset"));
   action("Paste")->trigger();
   ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 4; }));
+  const Vec2 pasted = 1e3 * now("light-2").position;
+  EXPECT_NEAR((pasted - Vec2(pasted.array().round())).norm(), 0.0, 1e-9)
+      << "round, in mm: " << pasted.transpose();
   key(Qt::Key_Delete);
   ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 3; }));
   undo();

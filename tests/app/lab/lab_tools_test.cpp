@@ -1,6 +1,8 @@
 #include <QLabel>
 
 #include "tests/app/lab/hands_fixture.h"
+#include "widgets/scene/loupe.h"
+#include "widgets/scene/overlap.h"
 
 // Tools in hand, what they leave selected, and the keys of what is shown.
 namespace carom {
@@ -133,6 +135,76 @@ TEST_F(LabToolsTest, ShiftAndALetterShowsAndHides) {
   switches(Qt::Key_K, &DrawingOptions::contacts);
   switches(Qt::Key_J, &DrawingOptions::jumps);
   switches(Qt::Key_N, &DrawingOptions::names);
+}
+
+TEST_F(LabToolsTest, EnterDrawsBesideWhatIsThere) {
+  std::size_t drawn = 0;
+  for (const int tool : {Qt::Key_D, Qt::Key_D, Qt::Key_B, Qt::Key_P, Qt::Key_D, Qt::Key_B}) {
+    key(tool);
+    key(Qt::Key_Return);
+    ASSERT_TRUE(wait_for([&] { return window_.frame()->bodies->size() == drawn + 1; }));
+    const std::vector<Body>& bodies = window_.preset().scene.bodies;
+    const Surroundings others{{bodies.begin(), bodies.end() - 1}, {}};
+    EXPECT_TRUE(overlaps_of({&bodies.back(), 1}, others).empty()) << bodies.back().name;
+    ++drawn;
+  }
+}
+
+// Two discs of 0.1 m with a gap of half a pixel between them.
+TEST_F(LabToolsTest, YHoldsALoupe) {
+  draw_two_discs();
+  SceneView& view = window_.scene_view();
+  const double gap = 0.5 / view.camera().scale;
+  view.select({"B"});
+  type("Radius, m", "0.1");
+  type("Position x, m", QString::number(-0.8 + gap, 'g', 17));
+  ASSERT_TRUE(wait_for([&] { return std::abs(now("B").position.x() + 0.8 - gap) < 1e-9; }));
+  const auto* loupe = view.findChild<Loupe*>();
+  ASSERT_NE(loupe, nullptr);
+  EXPECT_FALSE(loupe->isVisible());
+  view.select({});
+  QCursor::setPos(view.mapToGlobal(pixel({-0.9, 0.0})));
+  QTest::keyPress(&view, Qt::Key_Y);
+  ASSERT_TRUE(loupe->isVisible());
+  EXPECT_DOUBLE_EQ(loupe->camera().scale, 5.0 * view.camera().scale);
+  EXPECT_NEAR(loupe->camera().center.x(), -0.9, 1.0 / view.camera().scale);
+  // It shows nothing but what the camera sees there, at the moment that is shown.
+  const QPointF touch = loupe->camera().to_screen({-0.9 + 0.5 * gap, 0.0});
+  const QImage picture = const_cast<Loupe*>(loupe)->grab().toImage();
+  EXPECT_TRUE(QRect({}, picture.size()).contains(touch.toPoint()));
+  EXPECT_NE(picture.pixelColor(touch.toPoint()), picture.pixelColor((touch - QPointF(40.0, 0.0)).toPoint()));
+  QTest::keyRelease(&view, Qt::Key_Y);
+  EXPECT_FALSE(loupe->isVisible());
+  action("Loupe at the mouse\tY")->trigger();
+  EXPECT_TRUE(loupe->isVisible());
+  action("Loupe at the mouse\tY")->trigger();
+  EXPECT_FALSE(loupe->isVisible());
+}
+
+TEST_F(LabToolsTest, QSwitchesSnapping) {
+  draw_two_discs();
+  const double px = 1.0 / window_.scene_view().camera().scale;
+  const auto moved_by = [&](const Vec2& to) {
+    const Vec2 from = now("A").position;
+    const Camera& camera = window_.scene_view().camera();
+    const Vec2 way = camera.to_world(pixel(to)) - camera.to_world(pixel(from));
+    drag(from, to);
+    EXPECT_TRUE(wait_for([&] { return now("A").position != from; }) && shows_start());
+    return Vec2(now("A").position - from - way);
+  };
+  EXPECT_GT(moved_by({-1.0 + 5.0 * px, 0.5 + 5.0 * px}).norm(), px) << "to the grid";
+  key(Qt::Key_Q);
+  EXPECT_LT(moved_by({-1.0 + 10.0 * px, 0.4}).norm(), 1e-12);
+  EXPECT_TRUE(hint().startsWith("no snapping (Q)")) << hint().toStdString();
+  const Vec2 before = now("A").position;
+  key(Qt::Key_Right);
+  ASSERT_TRUE(wait_for([&] { return now("A").position != before; }));
+  const double step = now("A").position.x() - before.x();
+  EXPECT_LE(step, px * (1.0 + 1e-9));
+  EXPECT_GT(step, 0.4 * px);
+  key(Qt::Key_Q);
+  EXPECT_FALSE(hint().contains("no snapping (Q)")) << hint().toStdString();
+  EXPECT_GT(moved_by({-1.0 + 5.0 * px, 0.5 + 5.0 * px}).norm(), px);
 }
 
 // What the scene can't be is said where the mouse is, and nowhere else.

@@ -2,6 +2,8 @@
 #include <numbers>
 
 #include "tests/widgets/scene/scene_tools_fixture.h"
+#include "widgets/scene/new_body.h"
+#include "widgets/scene/overlap.h"
 
 // The tools that draw bodies. The drawn grid is of 0.2 m, and 1 px is 1 cm.
 namespace carom {
@@ -254,18 +256,25 @@ TEST_F(ShapeToolsTest, EscapeTakesAStrokeBack) {
   EXPECT_TRUE(spawned_.empty());
 }
 
-TEST_F(ShapeToolsTest, EnterDrawsInTheMiddleOrAtTheMouse) {
+TEST_F(ShapeToolsTest, EnterDrawsWhereThereIsRoomOrAtTheMouse) {
   const Vec2 middle = Vec2(2.0, 1.0);
-  for (const SceneTool tool : {SceneTool::kBox, SceneTool::kPolygon, SceneTool::kWall}) {
+  for (const SceneTool tool : {SceneTool::kBox, SceneTool::kPolygon}) {
     view_.set_tool(tool);
     key(Qt::Key_Return);
     EXPECT_TRUE(near(added().position, middle));
     EXPECT_EQ(view_.tool(), SceneTool::kSelect);
   }
+  // A half-plane, or the largest disc that chance may give, would overlap bodies there.
+  view_.set_tool(SceneTool::kWall);
+  key(Qt::Key_Return);
+  EXPECT_FALSE(near(added().position, middle));
+  EXPECT_TRUE(overlaps_of({&added(), 1}, {scene_.bodies, {}}).empty());
   view_.set_tool(SceneTool::kDisc);
   key(Qt::Key_Return);
   ASSERT_EQ(spawned_.size(), 1U);
-  EXPECT_TRUE(near(spawned_[0], middle));
+  const double radius = 1.5 * std::get<Disc>(model_disc(scene_.bodies)->shape).radius;
+  const Body disc = new_body(scene_.bodies, Disc{radius}, spawned_[0]);
+  EXPECT_TRUE(overlaps_of({&disc, 1}, {scene_.bodies, {}}).empty()) << spawned_[0].transpose();
   hover(QPoint(260, 60));
   view_.set_tool(SceneTool::kBox);
   key(Qt::Key_Return);
