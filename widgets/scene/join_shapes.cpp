@@ -8,7 +8,7 @@
 #include <utility>
 #include <variant>
 
-#include "widgets/scene/joint_start.h"
+#include "widgets/scene/joined_velocities.h"
 #include "widgets/scene/key_edits.h"
 
 namespace carom {
@@ -191,37 +191,15 @@ void move_joints(const Scene& scene, std::span<const Body> bodies, const Body& w
   }
 }
 
-// What the joints forbid of the velocities after the edits goes as in a perfectly inelastic impact: joint by
-// joint until all hold, each taking out as little kinetic energy as it must.
+// What the joints forbid of the velocities after the edits goes as in a perfectly inelastic impact.
 void let_joints_hold(const Scene& scene, SceneEdits& edits) {
-  constexpr int kMostSweeps = 1000;
   Scene now = scene;
   apply_edits(now, edits);
-  const auto named_body = [&](const std::string& name) {
-    return std::find_if(now.bodies.begin(), now.bodies.end(), [&](const Body& b) { return b.name == name; });
-  };
-  const std::vector<Body> before = now.bodies;
-  bool all_hold = false;
-  for (int sweep = 0; sweep < kMostSweeps && !all_hold; ++sweep) {
-    all_hold = true;
-    for (const Joint& joint : now.joints) {
-      JointEnds ends{{}, {joint.point, joint.anchor}};
-      for (const std::size_t i : {0, 1}) {
-        const auto body = named_body(i == 0 ? joint.body : joint.to);
-        if (body == now.bodies.end()) continue;
-        ends.places[i] = body->position + turned_by(body->angle, ends.places[i]);
-        ends.bodies[i] = *body;
-      }
-      for (const Body& changed : as_joined(joint.kind, ends)) {
-        *named_body(changed.name) = changed;
-        all_hold = false;
-      }
-    }
-  }
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    const Body& body = now.bodies[k];
-    if (body.velocity != before[k].velocity || body.spin != before[k].spin)
-      edits.emplace_back(Replace<Body>{body});
+  std::vector<Body> bodies = now.bodies;
+  hold_joined_velocities(now, bodies);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (bodies[k].velocity != now.bodies[k].velocity || bodies[k].spin != now.bodies[k].spin)
+      edits.emplace_back(Replace<Body>{bodies[k]});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
 #include "physics/math/vectors.h"
 
@@ -18,6 +19,7 @@ struct End {
   Vec2 arm = Vec2::Zero();       // m, from the body's centre
   Vec2 velocity = Vec2::Zero();  // m/s
   double spin = 0.0;             // rad/s
+  bool turns = true;             // is on no point
   Eigen::Index column = -1;      // the first of three of a body that changes
 };
 
@@ -59,10 +61,12 @@ End end_on(std::span<const Body> all, std::span<const Body> bodies, const std::s
   end.place = body.position + end.arm;
   end.velocity = body.velocity + body.spin * crossed(end.arm);
   end.spin = body.spin;
+  end.turns = inertia_of(body) > 0.0;
   if (changes != bodies.end() && !has_infinite_mass(body)) end.column = 3 * (changes - bodies.begin());
   return end;
 }
 
+// A weld turns no point.
 void add_rows(const Joint& joint, const End& a, const End& b, Rows& rows) {
   if (joint.kind == JointKind::kRod) {
     rows.add(a, b, (a.place - b.place).normalized(), 0.0);
@@ -70,19 +74,46 @@ void add_rows(const Joint& joint, const End& a, const End& b, Rows& rows) {
   }
   rows.add(a, b, Vec2::UnitX(), 0.0);
   rows.add(a, b, Vec2::UnitY(), 0.0);
-  if (joint.kind == JointKind::kWeld) rows.add(a, b, Vec2::Zero(), 1.0);
+  if (joint.kind == JointKind::kWeld && a.turns && b.turns) rows.add(a, b, Vec2::Zero(), 1.0);
 }
 
-// M^(-1/2), by columns; 0 of a body that does not move.
+// M^(-1/2), by columns; 0 of a body that does not move, and of the turning of a point.
 Eigen::VectorXd mobility(std::span<const Body> bodies) {
-  Eigen::VectorXd roots(3 * static_cast<Eigen::Index>(bodies.size()));
+  Eigen::VectorXd roots = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(bodies.size()));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const bool moves = !has_infinite_mass(bodies[i]);
-    const double mass = moves ? 1.0 / std::sqrt(mass_of(bodies[i])) : 0.0;
-    const double inertia = moves ? 1.0 / std::sqrt(inertia_of(bodies[i])) : 0.0;
-    roots.segment<3>(3 * static_cast<Eigen::Index>(i)) = Eigen::Vector3d(mass, mass, inertia);
+    if (has_infinite_mass(bodies[i])) continue;
+    const double mass = 1.0 / std::sqrt(mass_of(bodies[i]));
+    const double inertia = inertia_of(bodies[i]);
+    const double turning = inertia > 0.0 ? 1.0 / std::sqrt(inertia) : 0.0;
+    roots.segment<3>(3 * static_cast<Eigen::Index>(i)) = Eigen::Vector3d(mass, mass, turning);
   }
   return roots;
+}
+
+// The moving bodies at the ends of a joint, and all that rods, pins and welds join to them.
+std::vector<Body> joined_to(const Scene& scene, const Joint& first) {
+  std::unordered_map<std::string, const Body*> moving;
+  for (const Body& body : scene.bodies) {
+    if (!has_infinite_mass(body)) moving.emplace(body.name, &body);
+  }
+  std::vector<Body> found;
+  const auto take = [&](const std::string& name) {
+    const auto at = moving.find(name);
+    if (at == moving.end()) return;
+    found.push_back(*at->second);
+    moving.erase(at);
+  };
+  take(first.body);
+  take(first.to);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::string name = found[i].name;
+    for (const Joint& joint : scene.joints) {
+      if (joint.kind == JointKind::kString) continue;
+      if (joint.body == name) take(joint.to);
+      if (joint.to == name) take(joint.body);
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -114,6 +145,19 @@ std::vector<std::size_t> hold_joined_velocities(const Scene& scene, std::span<Bo
     bodies[i].spin += change[at + 2];
   }
   return broken;
+}
+
+std::vector<Body> as_joined(const Scene& scene, const Joint& joint) {
+  if (joint.kind == JointKind::kString) return {};
+  const std::vector<Body> before = joined_to(scene, joint);
+  std::vector<Body> bodies = before;
+  if (hold_joined_velocities(scene, bodies).empty()) return {};
+  std::vector<Body> changed;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].velocity != before[i].velocity || bodies[i].spin != before[i].spin)
+      changed.push_back(bodies[i]);
+  }
+  return changed;
 }
 
 }  // namespace carom

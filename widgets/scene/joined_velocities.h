@@ -14,4 +14,9 @@ namespace carom {
 // nothing has changed.
 std::vector<std::size_t> hold_joined_velocities(const Scene& scene, std::span<Body> bodies);
 
+// The bodies of the scene that move otherwise once this joint of it holds them, and those joined to them: so
+// that momentum stays where nothing is held by the plane or a fixed body. None of a string, which may part its
+// ends.
+[[nodiscard]] std::vector<Body> as_joined(const Scene& scene, const Joint& joint);
+
 }  // namespace carom

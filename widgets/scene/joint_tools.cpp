@@ -7,11 +7,12 @@
 #include <variant>
 
 #include "physics/math/vectors.h"
+#include "physics/scene/edit_rules.h"
 #include "widgets/scene/drive_tool.h"
 #include "widgets/scene/edit_names.h"
 #include "widgets/scene/force_tool.h"
 #include "widgets/scene/hit.h"
-#include "widgets/scene/joint_start.h"
+#include "widgets/scene/joined_velocities.h"
 #include "widgets/scene/snap.h"
 
 namespace carom {
@@ -28,12 +29,27 @@ QString name_of_end(const LinkEnd& end) {
   return end.body.empty() ? QStringLiteral("the plane") : QString::fromStdString(end.body);
 }
 
+// That of the shown moment, or else of the start; null without any.
+const Scene* scene_of(const Frame& frame) {
+  if (frame.scene) return frame.scene.get();
+  return frame.setup ? &frame.setup->scene : nullptr;
+}
+
+// With the bodies as they are shown, and the joint.
+Scene scene_with(const JointSight& sight, const Joint& joint) {
+  Scene scene;
+  for (int i = 0; i < body_count(*sight.frame); ++i) scene.bodies.push_back(body_now(*sight.frame, i));
+  if (const Scene* shown = scene_of(*sight.frame)) scene.joints = shown->joints;
+  std::erase_if(scene.joints, [&](const Joint& other) { return sight.instead_of == other.id; });
+  scene.joints.push_back(joint);
+  return scene;
+}
+
 // "Rod 1", "Rod 2", ...: the first name that no joint and no spring has.
 std::string free_name(const Frame& frame, const char* noun) {
   std::string stem(noun);
   stem[0] = static_cast<char>(stem[0] - 'a' + 'A');
-  const Scene* scene = frame.scene ? frame.scene.get() : nullptr;
-  if (scene == nullptr && frame.setup) scene = &frame.setup->scene;
+  const Scene* scene = scene_of(frame);
   if (scene == nullptr) return stem + " 1";
   for (int number = 1;; ++number) {
     std::string name = stem + " " + std::to_string(number);
@@ -65,23 +81,21 @@ struct Link {
     }
   }
 
-  [[nodiscard]] Vec2 place(std::size_t i) const {
-    if (!bodies[i]) return ends[i].own;
-    return bodies[i]->position + turned_by(bodies[i]->angle, ends[i].own);
-  }
   Joined made(const SceneEdit& edit) {
     if (out.fault.isEmpty()) out.edits = {edit};
     return out;
   }
-  // A joint: its bodies lose what it does not let them do.
+  // A joint: its bodies, and those joined to them, lose what it does not let them do.
   Joined joined(const JointTool& tool, const JointSight& sight, JointKind kind) {
     if (!out.fault.isEmpty()) return out;
+    const Joint made = joint(tool, sight, kind);
+    const Scene scene = scene_with(sight, made);
     double most = 0.0;  // m/s
-    for (const Body& body : as_joined(kind, {bodies, {place(0), place(1)}})) {
-      most = std::max(most, (body.velocity - bodies[body.name == ends[0].body ? 0 : 1]->velocity).norm());
+    for (const Body& body : as_joined(scene, made)) {
+      most = std::max(most, (body.velocity - part_of(scene.bodies, body.id)->velocity).norm());
       out.edits.emplace_back(Replace<Body>{body});
     }
-    out.edits.emplace_back(Add<Joint>{joint(tool, sight, kind)});
+    out.edits.emplace_back(Add<Joint>{made});
     if (out.edits.size() > 1) {
       out.detail = "velocities change by up to " + fixed_text(most, 2) + " m/s, as it allows no other";
     }
@@ -258,7 +272,11 @@ const JointTool* joint_tool(SceneTool tool) {
 LinkEnd end_at_mouse(const JointTool& tool, const JointSight& sight) {
   const int body = body_at(*sight.frame, sight.camera, sight.camera.to_screen(sight.mouse.at));
   if (body < 0) return end_beside_bodies(sight);
-  return end_on(body_now(*sight.frame, body), sight, tool.at_centres);
+  const Body on = body_now(*sight.frame, body);
+  LinkEnd end = end_on(on, sight, tool.at_centres);
+  if (!end.own.isZero(0.0) && snaps(sight.mouse))
+    end.own = on_rim(on.shape, end.own, kSnapReach / sight.camera.scale).value_or(end.own);
+  return end;
 }
 
 LinkEnds ends_at_mouse(const JointSight& sight) {

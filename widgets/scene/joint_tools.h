@@ -27,9 +27,10 @@ struct JointSight {
   std::shared_ptr<const Frame> frame;
   Camera camera;
   DragPoint mouse;
-  double grid = 0.0;               // m, spacing; 0: none to snap to
-  double metres_per_newton = 0.0;  // of arrows of forces; 0: none is shown
-  double arrow_seconds = 0.1;      // m of arrow per m/s
+  double grid = 0.0;                      // m, spacing; 0: none to snap to
+  double metres_per_newton = 0.0;         // of arrows of forces; 0: none is shown
+  double arrow_seconds = 0.1;             // m of arrow per m/s
+  std::optional<Id<Joint>> instead_of{};  // the joint whose place a new one takes
 };
 
 // What a tool makes.
@@ -56,7 +57,8 @@ struct JointTool {
 // The tool's row in the table; null for other tools.
 [[nodiscard]] const JointTool* joint_tool(SceneTool tool);
 
-// The end at the mouse: on the topmost body, at its centre if that is near; or in the plane, on the grid.
+// The end at the mouse: on the topmost body, at its centre, a corner or its rim if that is near; or in the
+// plane, on the grid.
 [[nodiscard]] LinkEnd end_at_mouse(const JointTool& tool, const JointSight& sight);
 // Both ends there, on the two topmost bodies, or on one and in the plane.
 [[nodiscard]] LinkEnds ends_at_mouse(const JointSight& sight);

@@ -133,6 +133,10 @@ void paint_link(QPainter& painter, const Overlay::Link& link, const Camera& came
   const QColor color = link.fault ? theme.danger : theme.accent;
   const QLineF line(camera.to_screen(link.from), camera.to_screen(link.to));
   painter.setBrush(Qt::NoBrush);
+  if (link.was) {
+    painter.setPen(dashed(theme.muted));
+    return painter.drawLine(line);
+  }
   painter.setPen(link.chosen ? QPen(color, kChosen, Qt::SolidLine, Qt::RoundCap) : dashed(color));
   if (line.length() > 0.0) painter.drawLine(line);
   if (link.arrow) {

@@ -41,6 +41,7 @@ struct Overlay {
     bool arrow = false;
     bool chosen = false;
     bool fault = false;
+    bool was = false;  // when the drag of its end began
   };
   std::vector<Body> selected;
   std::vector<Body> locked;

@@ -2,13 +2,15 @@
 
 #include <QLineF>
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "physics/scene/edit_rules.h"
 #include "widgets/scene/drawing_forces.h"
 #include "widgets/scene/edit_names.h"
 #include "widgets/scene/handles.h"
-#include "widgets/scene/scene_parts.h"
+#include "widgets/scene/hit.h"
 
 namespace carom {
 namespace {
@@ -39,7 +41,9 @@ bool has_stated_length(const Frame& frame, const Joint& joint) {
 
 Joined with_end(const JointSight& sight, const Joint& joint, std::size_t end) {
   const bool rod = joint.kind == JointKind::kRod;
-  Joined out = joined_at_mouse(rod ? SceneTool::kRod : SceneTool::kString, sight, ends_of(joint), end);
+  JointSight free = sight;
+  free.instead_of = joint.id;
+  Joined out = joined_at_mouse(rod ? SceneTool::kRod : SceneTool::kString, free, ends_of(joint), end);
   out.name = name_of_move(name_of_part(joint));
   if (out.edits.empty()) return out;
   const Joint made = std::get<Add<Joint>>(out.edits.back()).part;
@@ -94,15 +98,48 @@ std::optional<std::size_t> end_of_part_at(const Frame& frame, const Camera& came
   return to_body <= to_other ? 0 : 1;
 }
 
-Joined with_end_at_mouse(const JointSight& sight, const PartId& part, std::size_t end) {
-  const Scene& scene = *sight.frame->scene;
-  if (const auto* joint = std::get_if<Id<Joint>>(&part)) {
-    return with_end(sight, *part_of(scene.joints, *joint), end);
+EndDrag::EndDrag(const JointSight& began, const PartId& part, std::size_t end)
+    : began_(began),
+      part_(part),
+      end_(end),
+      line_(line_of(*began.frame, part, began.metres_per_newton).value_or(PartLine{})) {}
+
+Joined EndDrag::to(const DragPoint& mouse) {
+  const Scene& scene = *began_.frame->scene;
+  JointSight sight = began_;
+  sight.mouse = mouse;
+  if (line_.arrow) sight.mouse.at += line_.to - began_.mouse.at;
+  const auto move = [&](const auto& part) {
+    Joined out = with_end(sight, part, end_);
+    if (!out.fault.isEmpty()) out.edits = {Replace<std::decay_t<decltype(part)>>{part}};
+    return out;
+  };
+  Joined out = std::holds_alternative<Id<Joint>>(part_)
+                   ? move(*part_of(scene.joints, std::get<Id<Joint>>(part_)))
+               : std::holds_alternative<Id<Spring>>(part_)
+                   ? move(*part_of(scene.forces.springs, std::get<Id<Spring>>(part_)))
+                   : move(*part_of(scene.forces.applied, std::get<Id<AppliedForce>>(part_)));
+  out.edits = with_others_back(std::move(out.edits));
+  return out;
+}
+
+SceneEdits EndDrag::with_others_back(SceneEdits edits) {
+  std::vector<Id<Body>> replaced;
+  for (const SceneEdit& edit : edits) {
+    if (const auto* body = std::get_if<Replace<Body>>(&edit)) replaced.push_back(body->part.id);
   }
-  if (const auto* spring = std::get_if<Id<Spring>>(&part)) {
-    return with_end(sight, *part_of(scene.forces.springs, *spring), end);
+  const auto is_replaced = [&](const Body& body) {
+    return std::find(replaced.begin(), replaced.end(), body.id) != replaced.end();
+  };
+  for (const Body& body : changed_) {
+    if (!is_replaced(body)) edits.emplace_back(Replace<Body>{body});
   }
-  return with_end(sight, *part_of(scene.forces.applied, std::get<Id<AppliedForce>>(part)), end);
+  std::erase_if(changed_, is_replaced);
+  const std::vector<Body>& bodies = *began_.frame->bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (is_replaced(bodies[i])) changed_.push_back(body_now(*began_.frame, static_cast<int>(i)));
+  }
+  return edits;
 }
 
 }  // namespace carom

@@ -1,6 +1,5 @@
 #include "widgets/scene/grid.h"
 #include "widgets/scene/hit.h"
-#include "widgets/scene/part_ends.h"
 #include "widgets/scene/scene_tools.h"
 
 // The scene's tools that draw joints, springs and forces, and the choice of one of them.
@@ -91,7 +90,7 @@ void SceneTools::show_joining(Overlay& out) const {
   const Joined joined = tool.join(tool, sight, *ends);
   const bool same = shown[0].body == shown[1].body && !shown[0].body.empty();
   const bool fault = !joined.fault.isEmpty() && !same;  // the mouse has not left the first body
-  out.links.push_back({joined.from, joined.to, tool.to_mouse, false, fault});
+  out.links.push_back({.from = joined.from, .to = joined.to, .arrow = tool.to_mouse, .fault = fault});
   if (!out.bubble.value.isEmpty() || same) return;
   const QPointF from = sight.camera.to_screen(joined.from);
   out.bubble = {fault ? joined.fault : joined.value, joined.detail, mouse_, from, fault};
@@ -128,39 +127,50 @@ std::optional<std::size_t> SceneTools::end_under(const QPointF& at) const {
   return end_of_part_at(*sight.frame, sight.camera, *part_, at, sight.metres_per_newton);
 }
 
-Joined SceneTools::moved_end() const {
-  JointSight sight = joint_sight(mouse_);
-  sight.metres_per_newton = sight_().metres_per_newton;
-  // The tip of a force keeps its distance from the mouse.
-  const auto line = line_of(*sight.frame, *part_, sight.metres_per_newton);
-  if (line && line->arrow) sight.mouse.at += line->to - sight.camera.to_world(press_);
-  return with_end_at_mouse(sight, *part_, *end_);
+void SceneTools::begin_end_drag() {
+  state_ = State::kMute;
+  const SceneSight sight = sight_();
+  if (!part_ || !sight.frame || !sight.frame->scene) return;
+  JointSight began = joint_sight(press_);
+  began.metres_per_newton = sight.metres_per_newton;
+  end_drag_ = std::make_shared<EndDrag>(began, *part_, *end_);
+  emitted_ = false;
+  ++drags_;
+  state_ = State::kEnd;
 }
 
-void SceneTools::move_end() {
-  const Joined moved = moved_end();
-  if (!moved.fault.isEmpty()) return note({moved.fault, {}, mouse_, press_, true});
-  const QString refusal = own_edit(moved.edits, moved.name, ++drags_);
-  if (!refusal.isEmpty()) return note(refusal_bubble(refusal, mouse_, press_));
-  note({moved.value, {}, mouse_, press_}, Grab{HandleKind::kBody, {}});
+void SceneTools::drag_end_on() {
+  moved_end_ = end_drag_->to(joint_sight(mouse_).mouse);
+  // As long as nothing is changed, nothing has to go back.
+  if (!emitted_ && !moved_end_.fault.isEmpty()) return;
+  emitted_ = true;
+  const QString refusal = own_edit(moved_end_.edits, moved_end_.name, drags_);
+  if (moved_end_.fault.isEmpty()) moved_end_.fault = refusal;
+}
+
+void SceneTools::let_end_go() {
+  if (moved_end_.fault.isEmpty())
+    return note({moved_end_.value, moved_end_.detail, mouse_, press_}, Grab{HandleKind::kBody, {}});
+  if (emitted_) emit dragCancelled(drags_);
+  note(refusal_bubble(moved_end_.fault, mouse_, press_));
 }
 
 void SceneTools::show_moved_end(Overlay& out) const {
-  const Joined moved = moved_end();
-  const bool fault = !moved.fault.isEmpty();
-  const bool arrow = std::holds_alternative<Id<AppliedForce>>(*part_);
+  const bool fault = !moved_end_.fault.isEmpty();
+  const bool arrow = end_drag_->line().arrow;
   const SceneSight sight = sight_();
   const int body = arrow ? -1 : body_at(*sight.frame, sight.camera, mouse_);
   if (body >= 0) out.lit.push_back(body_now(*sight.frame, body));
-  out.links.push_back({moved.from, moved.to, arrow, false, fault});
-  out.bubble = {fault ? moved.fault : moved.value, {}, mouse_, press_, fault};
+  out.links.push_back({.from = end_drag_->line().from, .to = end_drag_->line().to, .was = true});
+  out.links.push_back({.from = moved_end_.from, .to = moved_end_.to, .arrow = arrow, .fault = fault});
+  out.bubble = {fault ? moved_end_.fault : moved_end_.value, moved_end_.detail, mouse_, press_, fault};
 }
 
 void SceneTools::show_part(Overlay& out) const {
   const SceneSight sight = sight_();
   if (!part_ || !sight.frame) return;
   if (const auto line = line_of(*sight.frame, *part_, sight.metres_per_newton)) {
-    out.links.push_back({line->from, line->to, line->arrow, true, false});
+    out.links.push_back({.from = line->from, .to = line->to, .arrow = line->arrow, .chosen = true});
   }
 }
 

@@ -112,7 +112,7 @@ void SceneTools::edit_by_key(int key, Qt::KeyboardModifiers keys) {
 
 bool SceneTools::escape() {
   waiting_keys_.clear();
-  if (state_ == State::kDrag && emitted_) emit dragCancelled(drags_);
+  if (dragging() && emitted_) emit dragCancelled(drags_);
   if (state_ == State::kHand) end_hand();
   if (state_ != State::kNone || has_draft()) {
     if (state_ != State::kNone) state_ = State::kMute;

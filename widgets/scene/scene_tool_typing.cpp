@@ -54,19 +54,17 @@ void SceneTools::type_in_drag(const QString& first) {
   if (state_ == State::kDraw) return type_in_drawing(first);
   const bool end = std::exchange(state_, State::kMute) == State::kEnd;
   Typing typing;
-  typing.bubble = {{}, end ? QString() : dragged_.detail, mouse_, press_, false};
+  typing.bubble = {{}, end ? moved_end_.detail : dragged_.detail, mouse_, press_, false};
+  typing.drag = drags_;
+  typing.changed = emitted_;
+  typing.in_drag = true;
   if (end) {
-    JointSight sight = joint_sight(mouse_);
-    sight.metres_per_newton = sight_().metres_per_newton;
     typing.target = {HandleKind::kBody, {}};
-    typing.thing = typed_part(sight, *part_, end_);
-    typing.drag = ++drags_;
+    typing.thing = typed_end(end_drag_, joint_sight(mouse_).mouse);
+    if (emitted_) typing.last = Typing::Last{moved_end_.edits, moved_end_.name};
   } else {
     typing.target = *grab_;
     typing.thing = typed_body(start_, dragged_.bodies[0], sight_().camera.scale);
-    typing.drag = drags_;
-    typing.changed = emitted_;
-    typing.in_drag = true;
     if (emitted_) typing.last = Typing::Last{edits_as_seen(dragged_, refitted_), dragged_.name};
   }
   begin_typing(std::move(typing), first);
@@ -92,9 +90,7 @@ void SceneTools::type_value_of(const Grab& target, const Bubble& where, const QS
   typing.bubble = {{}, {}, where.mouse, where.from, false};
   if (target.body.empty()) {
     if (!part_) return;
-    JointSight joints = joint_sight(where.mouse);
-    joints.metres_per_newton = sight.metres_per_newton;
-    typing.thing = typed_part(joints, *part_, std::nullopt);
+    typing.thing = typed_part(*sight.frame->scene, *part_);
   } else {
     if (!selection_.contains(target.body)) set_selection({target.body});
     if (locked_.contains(target.body)) return say_locked(target.body);
@@ -176,7 +172,9 @@ void SceneTools::preview_typed(const QString& text) {
 void SceneTools::take_preview_back(Typing& typing) {
   if (!std::exchange(typing.previewed, false)) return;
   if (typing.last) {
-    own_edit(typing.last->edits, typing.last->name, typing.drag);
+    const bool end = typing.in_drag && typing.target.body.empty();
+    const SceneEdits& last = typing.last->edits;
+    own_edit(end ? end_drag_->with_others_back(last) : last, typing.last->name, typing.drag);
   } else {
     emit dragCancelled(typing.drag);
   }
@@ -203,7 +201,7 @@ void SceneTools::end_typing() {
   } else if (typing->taken) {
     note(typing->bubble, typing->target);
   } else if (typing->in_drag) {
-    end_drag();
+    typing->target.body.empty() ? let_end_go() : end_drag();
   }
   emit changed();
 }

@@ -250,6 +250,7 @@ void SceneTools::move(const QPointF& at, Qt::KeyboardModifiers keys) {
   keys_ = keys;
   if (state_ == State::kPressed && QLineF(press_, at).length() >= kDragBegins) begin();
   if (state_ == State::kDrag) drag_on();
+  if (state_ == State::kEnd) drag_end_on();
   if (state_ != State::kNone && state_ != State::kPressed && state_ != State::kMute) emit changed();
 }
 
@@ -277,7 +278,7 @@ void SceneTools::hold_keys(Qt::KeyboardModifiers keys) {
 
 void SceneTools::begin() {
   if (end_) {
-    state_ = State::kEnd;
+    begin_end_drag();
   } else if (!grab_) {
     state_ = tool_ != SceneTool::kSelect ? State::kDraw : State::kBand;
     if (joint_tool(tool_) != nullptr) begin_link();
@@ -354,7 +355,7 @@ void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {
       state_ = State::kNone;
       break;
     case State::kEnd:
-      move_end();
+      let_end_go();
       break;
     case State::kDraw:
       draw();

@@ -23,6 +23,7 @@
 #include "widgets/scene/joint_tools.h"
 #include "widgets/scene/key_edits.h"
 #include "widgets/scene/overlay.h"
+#include "widgets/scene/part_ends.h"
 #include "widgets/scene/polygon_draft.h"
 #include "widgets/scene/scene_parts.h"
 #include "widgets/scene/selection.h"
@@ -82,8 +83,8 @@ class SceneTools : public QObject {
 
   // The frame of the sight is another one.
   void frame_changed();
-  // A drag of a body or handle is going on.
-  [[nodiscard]] bool dragging() const { return state_ == State::kDrag; }
+  // A drag of a body, a handle or an end is going on.
+  [[nodiscard]] bool dragging() const { return state_ == State::kDrag || state_ == State::kEnd; }
 
   // The overlaps that the start of the run has, which its first steps will part.
   [[nodiscard]] std::span<const Overlap> kept_overlaps() const { return kept_; }
@@ -178,7 +179,7 @@ class SceneTools : public QObject {
     int drag = 0;
     bool changed = false;  // the scene, under this number
     bool taken = false;    // a typed value
-    bool in_drag = false;  // of a body
+    bool in_drag = false;  // of a body, or of an end
     // What the scene goes back to from a value that is shown but not taken: the edits of the drag, or those
     // taken last; none: the scene as it was.
     struct Last {
@@ -259,8 +260,9 @@ class SceneTools : public QObject {
   [[nodiscard]] std::optional<PartId> part_under(const QPointF& at) const;
   void show_part(Overlay& out) const;
   [[nodiscard]] std::optional<std::size_t> end_under(const QPointF& at) const;  // of the chosen part
-  [[nodiscard]] Joined moved_end() const;
-  void move_end();
+  void begin_end_drag();
+  void drag_end_on();
+  void let_end_go();
   void show_moved_end(Overlay& out) const;
   // Locked bodies (scene_tool_locks.cpp).
   void toggle_lock();
@@ -323,6 +325,8 @@ class SceneTools : public QObject {
   Qt::KeyboardModifiers keys_{};
   std::optional<Grab> grab_;           // none: empty space
   std::optional<std::size_t> end_;     // of the chosen part, that a drag would take
+  std::shared_ptr<EndDrag> end_drag_;  // the last one
+  Joined moved_end_;                   // as it is, or why it can't be there
   double swept_ = 0.0;                 // rad, see DragPoint
   std::optional<Body> pressed_;        // as it stood when it was pressed, while the run plays
   Vec2 pressed_place_ = Vec2::Zero();  // m, likewise

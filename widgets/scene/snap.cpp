@@ -6,6 +6,7 @@
 #include <limits>
 #include <variant>
 
+#include "physics/math/vectors.h"
 #include "widgets/scene/grid.h"
 
 namespace carom {
@@ -79,6 +80,33 @@ std::optional<Vec2> place_of_touch(Body body, const Body& other, double reach,
   return body.position;
 }
 
+// A compound has those of its shapes, also where another one covers them.
+std::vector<ConvexPart> boundaries_of(const Shape& shape) {
+  if (std::holds_alternative<Compound>(shape)) return convex_parts(shape);
+  return {ConvexPart{outline_of(shape)}};
+}
+
+// The nearest point of a convex core that is grown by a rounding, or of a polygon's edges.
+Vec2 nearest_on_rim(const Outline& outline, const Vec2& place) {
+  const std::vector<Vec2>& v = outline.vertices;
+  Vec2 nearest = v[0];
+  bool inside = v.size() > 2;
+  Vec2 out = Vec2::UnitX();
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const Vec2 along = v[(i + 1) % v.size()] - v[i];
+    const double length = along.squaredNorm();
+    const double share = length > 0.0 ? std::clamp(along.dot(place - v[i]) / length, 0.0, 1.0) : 0.0;
+    const Vec2 at = v[i] + share * along;
+    inside = inside && cross(along, place - v[i]) >= 0.0;
+    if (i > 0 && (at - place).squaredNorm() >= (nearest - place).squaredNorm()) continue;
+    nearest = at;
+    if (length > 0.0) out = -crossed(along).normalized();
+  }
+  if (outline.rounding == 0.0) return nearest;
+  if (!inside && place != nearest) out = (place - nearest).normalized();
+  return nearest + outline.rounding * out;
+}
+
 }  // namespace
 
 double snapped(double value, double step) {
@@ -95,6 +123,27 @@ double step_for_mouse(double wanted, double pixels) {
   if (wanted * pixels > kLargestSpacing) return step_not_above(kLargestSpacing / pixels);
   if (wanted * pixels < kLeastSpacing) return step_not_below(kLeastSpacing / pixels);
   return wanted;
+}
+
+std::optional<Vec2> on_rim(const Shape& shape, const Vec2& place, double reach) {
+  if (is_half_plane(shape)) {
+    if (std::abs(place.y()) > reach) return std::nullopt;
+    return Vec2(place.x(), 0.0);
+  }
+  std::optional<Vec2> corner;
+  std::optional<Vec2> rim;
+  const auto take = [&](std::optional<Vec2>& best, const Vec2& at) {
+    const double distance = (at - place).norm();
+    if (distance <= reach && !(best && (*best - place).norm() <= distance)) best = at;
+  };
+  for (const ConvexPart& part : boundaries_of(shape)) {
+    const std::vector<Vec2>& v = part.outline.vertices;
+    if (v.size() > 1 && part.outline.rounding == 0.0) {
+      for (const Vec2& vertex : v) take(corner, part.position + vertex);
+    }
+    take(rim, part.position + nearest_on_rim(part.outline, place - part.position));
+  }
+  return corner ? corner : rim;
 }
 
 std::optional<Touch> touching_place(const Body& body, std::span<const Body> others, double reach,

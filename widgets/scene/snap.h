@@ -22,6 +22,10 @@ inline constexpr double kDirectionStep = 15.0;  // degrees
 // `wanted`, or the nearest 1-2-5 step that a mouse can aim at when one unit is `pixels` px long.
 [[nodiscard]] double step_for_mouse(double wanted, double pixels);
 
+// m, along the axes of the shape: its corner that is nearest to a place within `reach`, else such a point of
+// its rim; nothing if none is that near.
+[[nodiscard]] std::optional<Vec2> on_rim(const Shape& shape, const Vec2& place, double reach);
+
 // A place of a body at which it touches another one.
 struct Touch {
   Vec2 position;  // m

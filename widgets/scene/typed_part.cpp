@@ -9,15 +9,14 @@
 #include "widgets/edit/units.h"
 #include "widgets/scene/edit_names.h"
 #include "widgets/scene/part_ends.h"
-#include "widgets/scene/scene_parts.h"
 #include "widgets/scene/typed_value.h"
 
 // Values of joints, springs and forces that are typed at the mouse.
 namespace carom {
 namespace {
 
-QString title_of(const JointSight& sight, const PartId& part) {
-  const auto shown = inspected_part(*sight.frame->scene, part);
+QString title_of(const Scene& scene, const PartId& part) {
+  const auto shown = inspected_part(scene, part);
   return shown ? shown->title : QString();
 }
 
@@ -59,30 +58,31 @@ class TypedLength : public TypedThing {
 // The end that the mouse drags, at a typed distance from the other one.
 class TypedEnd : public TypedThing {
  public:
-  TypedEnd(const JointSight& sight, const PartId& part, std::size_t end, const Vec2& other)
-      : sight_(sight), part_(part), end_(end), other_(other), along_(sight.mouse.at - other) {
-    sight_.mouse.snapping = false;
+  TypedEnd(std::shared_ptr<EndDrag> drag, const DragPoint& mouse, const Vec2& other)
+      : drag_(std::move(drag)), mouse_(mouse), other_(other), along_((mouse.at - other).normalized()) {
+    mouse_.snapping = false;
   }
 
-  [[nodiscard]] QString subject() const override { return title_of(sight_, part_); }
+  [[nodiscard]] QString subject() const override {
+    return title_of(*drag_->began().frame->scene, drag_->part());
+  }
   [[nodiscard]] std::vector<TypedValue> values() const override {
-    return {{"Length", range_of_length(), (sight_.mouse.at - other_).norm()}};
+    return {{"Length", range_of_length(), (mouse_.at - other_).norm()}};
   }
   [[nodiscard]] TypedEdit set(std::size_t /*index*/, double value, bool /*yields*/) override {
-    JointSight typed = sight_;
-    typed.mouse.at = other_ + value * along_.normalized();
-    const Joined moved = with_end_at_mouse(typed, part_, end_);
-    if (moved.fault.isEmpty()) sight_ = typed;
+    DragPoint typed = mouse_;
+    typed.at = other_ + value * along_;
+    const Joined moved = drag_->to(typed);
+    if (moved.fault.isEmpty()) mouse_ = typed;
     return {moved.edits, moved.name, quantity_text(value, "m"), moved.detail, moved.fault};
   }
   [[nodiscard]] std::unique_ptr<TypedThing> clone() const override { return std::make_unique<TypedEnd>(*this); }
 
  private:
-  JointSight sight_;
-  PartId part_;
-  std::size_t end_;
+  std::shared_ptr<EndDrag> drag_;  // one drag, also of what is only tried
+  DragPoint mouse_;
   Vec2 other_;  // m
-  Vec2 along_;  // m
+  Vec2 along_;
 };
 
 class TypedForce : public TypedThing {
@@ -118,8 +118,8 @@ class TypedForce : public TypedThing {
   AppliedForce now_;
 };
 
-std::unique_ptr<TypedThing> typed_length(const JointSight& sight, const PartId& part) {
-  const auto shown = inspected_part(*sight.frame->scene, part);
+std::unique_ptr<TypedThing> typed_length(const Scene& scene, const PartId& part) {
+  const auto shown = inspected_part(scene, part);
   if (!shown) return nullptr;
   for (const InspectedRow& row : shown->rows) {
     if (row.values.size() != 1) continue;
@@ -130,24 +130,28 @@ std::unique_ptr<TypedThing> typed_length(const JointSight& sight, const PartId& 
   return nullptr;
 }
 
+// As `edits` have it, if they do.
+std::unique_ptr<TypedThing> typed_force(const Scene& scene, Id<AppliedForce> id, const SceneEdits& edits) {
+  const AppliedForce* force = part_of(scene.forces.applied, id);
+  if (force == nullptr || force->force.isZero(0.0)) return nullptr;
+  const AppliedForce now = edits.empty() ? *force : std::get<Replace<AppliedForce>>(edits[0]).part;
+  return std::make_unique<TypedForce>(title_of(scene, id), *force, now);
+}
+
 }  // namespace
 
-std::unique_ptr<TypedThing> typed_part(const JointSight& sight, const PartId& part,
-                                       std::optional<std::size_t> end) {
-  if (const auto* id = std::get_if<Id<AppliedForce>>(&part)) {
-    const AppliedForce* force = part_of(sight.frame->scene->forces.applied, *id);
-    if (force == nullptr || force->force.isZero(0.0)) return nullptr;
-    AppliedForce now = *force;
-    const Joined pulled = end ? with_end_at_mouse(sight, part, *end) : Joined{};
-    if (!pulled.edits.empty()) now = std::get<Replace<AppliedForce>>(pulled.edits[0]).part;
-    return std::make_unique<TypedForce>(title_of(sight, part), *force, now);
-  }
-  if (!end) return typed_length(sight, part);
-  const auto line = line_of(*sight.frame, part, sight.metres_per_newton);
-  if (!line) return nullptr;
-  const Vec2 other = *end == 0 ? line->from : line->to;
-  if (sight.mouse.at == other) return nullptr;
-  return std::make_unique<TypedEnd>(sight, part, *end, other);
+std::unique_ptr<TypedThing> typed_part(const Scene& scene, const PartId& part) {
+  const auto* force = std::get_if<Id<AppliedForce>>(&part);
+  return force != nullptr ? typed_force(scene, *force, {}) : typed_length(scene, part);
+}
+
+std::unique_ptr<TypedThing> typed_end(const std::shared_ptr<EndDrag>& drag, const DragPoint& mouse) {
+  const Scene& scene = *drag->began().frame->scene;
+  if (const auto* id = std::get_if<Id<AppliedForce>>(&drag->part()))
+    return typed_force(scene, *id, drag->to(mouse).edits);
+  const Vec2 other = drag->end() == 0 ? drag->line().from : drag->line().to;
+  if (mouse.at == other) return nullptr;
+  return std::make_unique<TypedEnd>(drag, mouse, other);
 }
 
 }  // namespace carom

@@ -11,7 +11,7 @@
 #include "physics/scene/part_id.h"
 #include "widgets/edit/quantity.h"
 #include "widgets/scene/drag.h"
-#include "widgets/scene/joint_tools.h"
+#include "widgets/scene/part_ends.h"
 
 namespace carom {
 
@@ -53,9 +53,11 @@ class TypedThing {
 // joints and other bodies leave of a typed value is as for a drag.
 [[nodiscard]] std::unique_ptr<TypedThing> typed_body(DragStart start, const Body& now, double scale);
 
-// The length of a joint or of a spring at rest; size and direction of a force. If one of its ends is being
-// dragged, the length is that to the mouse, which tells the direction; nothing if that can't be.
-[[nodiscard]] std::unique_ptr<TypedThing> typed_part(const JointSight& sight, const PartId& part,
-                                                     std::optional<std::size_t> end);
+// The length of a joint or of a spring at rest; size and direction of a force.
+[[nodiscard]] std::unique_ptr<TypedThing> typed_part(const Scene& scene, const PartId& part);
+// The same of one whose end is being dragged: its length is that to the mouse, which tells the direction;
+// nothing if that can't be.
+[[nodiscard]] std::unique_ptr<TypedThing> typed_end(const std::shared_ptr<EndDrag>& drag,
+                                                    const DragPoint& mouse);
 
 }  // namespace carom

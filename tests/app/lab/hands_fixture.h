@@ -30,6 +30,12 @@ class LabHandsTest : public LabWindowTest {
     return window_.scene_view().camera().to_screen(world).toPoint();
   }
   void drag(const Vec2& from, const Vec2& to, Qt::KeyboardModifiers keys = {}) {
+    const QPoint end = pixel(to);
+    hold(from, to, keys);
+    QTest::mouseRelease(&window_.scene_view(), Qt::LeftButton, keys, end);
+  }
+  // A drag that goes on.
+  void hold(const Vec2& from, const Vec2& to, Qt::KeyboardModifiers keys = {}) {
     SceneView* view = &window_.scene_view();
     const QPoint a = pixel(from);
     const QPoint b = pixel(to);
@@ -41,7 +47,6 @@ class LabHandsTest : public LabWindowTest {
       QApplication::sendEvent(view, &move);
       QTest::qWait(2);
     }
-    QTest::mouseRelease(view, Qt::LeftButton, keys, b);
   }
   void select(const Vec2& at) { QTest::mouseClick(&window_.scene_view(), Qt::LeftButton, {}, pixel(at)); }
   void key(int k, Qt::KeyboardModifiers keys = {}) {

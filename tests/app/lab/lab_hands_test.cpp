@@ -197,6 +197,51 @@ TEST_F(LabHandsTest, ARodKeepsTwoDiscsApartUntilItIsDeleted) {
   ASSERT_TRUE(has(2, 1));
 }
 
+// At the start and in a run: the scene follows while the button is down, and Escape brings back what was.
+TEST_F(LabHandsTest, TheEndOfASpringIsDragged) {
+  draw_two_discs();
+  key(Qt::Key_S);
+  drag({-1.0, 0.0}, {-1.0, 0.6});
+  const auto anchor = [this] {
+    const auto frame = window_.frame();
+    const bool has = frame && frame->scene && !frame->scene->forces.springs.empty();
+    return has ? frame->scene->forces.springs[0].anchor : Vec2(Vec2::Zero());
+  };
+  const auto is_at = [&](const Vec2& place) {
+    return wait_for([&] { return (anchor() - place).norm() < 0.02; });
+  };
+  ASSERT_TRUE(is_at({-1.0, 0.6}));
+  SceneView* view = &window_.scene_view();
+  select({-1.0, 0.3});
+  ASSERT_TRUE(view->part());
+  hold({-1.0, 0.6}, {-0.6, 0.6});
+  EXPECT_TRUE(is_at({-0.6, 0.6}));
+  key(Qt::Key_Escape);
+  QTest::mouseRelease(view, Qt::LeftButton, {}, pixel({-0.6, 0.6}));
+  EXPECT_TRUE(is_at({-1.0, 0.6}));
+  EXPECT_TRUE(window_.session().edits().undoText().startsWith("Add spring"));
+
+  window_.run_until(0.5);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->scene && window_.frame()->time > 0.4; }));
+  const QString before = window_.session().edits().undoText();
+  hold({-1.0, 0.6}, {-0.6, 0.6});
+  EXPECT_TRUE(is_at({-0.6, 0.6}));
+  key(Qt::Key_Escape);
+  QTest::mouseRelease(view, Qt::LeftButton, {}, pixel({-0.6, 0.6}));
+  EXPECT_TRUE(is_at({-1.0, 0.6}));
+  EXPECT_TRUE(wait_for([this] { return window_.frame()->time > 0.4; }));
+  EXPECT_EQ(window_.session().edits().undoText(), before);
+
+  drag({-1.0, 0.6}, {-0.6, 0.6});
+  EXPECT_TRUE(is_at({-0.6, 0.6}));
+  EXPECT_TRUE(wait_for([this] { return window_.frame()->time == 0.0; }));
+  EXPECT_TRUE(window_.session().edits().undoText().startsWith("New start from 0.5"))
+      << "a joint's end is of motion";
+  undo();
+  EXPECT_TRUE(is_at({-1.0, 0.6}));
+  EXPECT_TRUE(wait_for([this] { return window_.frame()->time > 0.4; }));
+}
+
 TEST_F(LabHandsTest, CopiesAndDeletes) {
   ASSERT_TRUE(window_.open("head-on"));
   ASSERT_TRUE(shows_start());

@@ -76,6 +76,35 @@ TEST_F(JointToolsTest, AnEndSnapsToACentreWithin12Pixels) {
   EXPECT_EQ(added<Joint>().to, "") << "beside it";
 }
 
+// A has a rim of 50 px.
+TEST_F(JointToolsTest, AnEndSnapsToTheRim) {
+  view_.set_tool(SceneTool::kRod, true);
+  drag({200, 157}, b_centre_);
+  EXPECT_TRUE(near(added<Joint>().point, {0.0, 0.5}));
+  drag({200, 161}, b_centre_);
+  EXPECT_TRUE(near(added<Joint>().point, {0.0, 0.39}));
+  drag({200, 157}, b_centre_, Qt::ControlModifier);
+  EXPECT_TRUE(near(added<Joint>().point, {0.0, 0.43}));
+}
+
+// Three discs in a row, of which a rod joins two: all three share what the new one does not allow.
+TEST_F(JointToolsTest, AJointLeavesTheOthersAsTheyHold) {
+  put_rod();
+  Body c = body("B");
+  c.id = {};
+  c.name = "C";
+  c.position = Vec2(4.0, 1.0);
+  c.velocity = Vec2(-0.6, 0.0);
+  put(c);
+  answers_ = true;
+  view_.set_tool(SceneTool::kRod);
+  drag(b_centre_, QPoint(500, 200));
+  ASSERT_EQ(told_.size(), 1U);
+  const double all = mass_of(body("A")) + mass_of(body("B")) + mass_of(body("C"));
+  const double together = -0.6 * mass_of(body("C")) / all;
+  for (const char* name : {"A", "B", "C"}) EXPECT_NEAR(body(name).velocity.x(), together, 1e-12) << name;
+}
+
 TEST_F(JointToolsTest, TwoClicksHangABodyOnAStringFromThePlane) {
   answers_ = true;
   view_.set_tool(SceneTool::kString, true);
