@@ -15,6 +15,8 @@ namespace {
 
 // Relative to the size and the coordinates: a smaller gap is rounding.
 constexpr double kRounding = 1e-12;
+// Of the smaller body: no deeper has a contact come that forces hold, by their error.
+constexpr double kHeldInside = 1e-5;
 // Relative to the size: a body that moves farther in a step may push others as fast.
 constexpr double kFast = 0.02;
 // So many bodies in a row may be pushed within a step.
@@ -166,6 +168,10 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   const auto& forces = step.memory.forces;
   const SurfaceLaw& material = world.material(m.contact(0), a, b);
   const bool located = world.method.impacts == ImpactsId::kLocated;
+  // Discs have no other corner that stays; in a jam they would bounce on for ever.
+  const bool cornered = !world.shapes().is_disc(a) && !world.shapes().is_disc(b);
+  const bool euler_in_time = located && world.method.integrator == IntegratorId::kExplicitEuler &&
+                             forces.size() <= static_cast<std::size_t>(kFewContactsOfScene);
   const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
   const double slip = kStuck * step.pressing.change_by_forces() + step.pressing.noise();
   const double size = world.shapes().size[a] + world.shapes().size[b];
@@ -184,7 +190,8 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const double closing = -u.normal;
     const double press = step.pressing.between(world, step.memory, a, b, at.point, m.normal);
     const double rest = step.pressing.rest_speed(world, press, material.restitution);
-    const bool slow = impact_speed(material, closing) <= rest;
+    const bool kept = is_kept(a, b, at.id);
+    const bool slow = kept || impact_speed(material, closing) <= rest;
     // With impacts at their own time fast ones are left to the event queue.
     const bool open = at.gap > rounding;
     // Other contacts may press it within the step as hard as any force.
@@ -193,11 +200,20 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
                       (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= 2.0 * pressed);
     const std::optional<std::size_t> before = force_before(world, forces, last, a, b, m, at);
     const bool pressed_before = before && step.memory.support[*before][0] > 0.0;
-    const bool begins_later = located && !pressed_before && at.gap > kFlush * size &&
-                              forces.size() <= static_cast<std::size_t>(kFewContactsOfScene);
-    if (!near || begins_later || (located && !slow && at.gap >= -rounding)) {
-      if (located && open && (closing > rest || begins_later)) found.landings.push_back({a, b, at.id});
-      hits_now |= located && !open && !slow;
+    const bool follows = step.pressing.follows_bounces();
+    const bool outside = at.gap > -kHeldInside * smaller_size(world, a, b);
+    const bool comes_later = !pressed_before && at.gap > kFlush * size;
+    const bool leaves = cornered && closing < -rest;
+    const bool begins_later =
+        follows ? outside && (leaves || comes_later) && !kept : euler_in_time && comes_later;
+    const bool touches = follows && !open && outside;
+    const bool lands_now = touches && !slow;
+    // The event queue knows no pair that the error of the forces that held it has left inside.
+    if (touches && at.gap < -rounding) support(a, b, rest);
+    if (!near || begins_later || lands_now || (located && !slow && at.gap >= -rounding)) {
+      if (begins_later || lands_now || (located && open && closing > rest))
+        found.landings.push_back({a, b, at.id});
+      hits_now |= located && !open && !slow && !lands_now;
       continue;
     }
     // A fast one that penetrates is projected out and left to the impacts at the step's end.
@@ -257,6 +273,11 @@ void ContactFinder::support(BodyIndex a, BodyIndex b, double rest) {
     supported_rest_.push_back(rest);
   }
   supported_rest_.back() = std::min(supported_rest_.back(), rest);
+}
+
+bool ContactFinder::is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const {
+  return std::any_of(kept_.begin(), kept_.end(),
+                     [&](const Landing& kept) { return kept.a == a && kept.b == b && kept.id == id; });
 }
 
 bool ContactFinder::supports(BodyIndex a, BodyIndex b) const {

@@ -70,6 +70,11 @@ class ContactFinder {
   void find(World& world, double step_length, double h, const ContactPressing& pressing,
             const ContactMemory& memory, FoundContacts& found);
 
+  // For another part of a step: none of its contacts is kept yet.
+  void begin_part() { kept_.clear(); }
+  // From now on in this part a contact that may press, though its bodies are leaving each other there.
+  void keep(const Landing& contact) { kept_.push_back(contact); }
+
   // Pairs that may touch in this step, and supported pairs; each in rising order.
   [[nodiscard]] const std::vector<BodyPair>& near() const { return near_; }
   [[nodiscard]] const std::vector<BodyPair>& supported() const { return supported_; }
@@ -92,6 +97,7 @@ class ContactFinder {
     FoundContacts& found;
   };
   void support(BodyIndex a, BodyIndex b, double rest);
+  [[nodiscard]] bool is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const;
   [[nodiscard]] double turned_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m,
                                    double along_it, double rounding) const;
   [[nodiscard]] Manifold exposed(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m);
@@ -103,6 +109,7 @@ class ContactFinder {
   Neighbours neighbours_;
   std::vector<BodyPair> near_;
   std::vector<BodyPair> supported_;
+  std::vector<Landing> kept_;
   std::vector<BodyPair> hit_;           // see is_hit()
   std::vector<double> supported_rest_;  // m/s, parallel to it: the least rest speed of the pair's points
   std::vector<Pose> poses_;

@@ -20,6 +20,10 @@ namespace {
 constexpr double kNoise = 1.6e-9;
 constexpr double kRounding = 256.0 * std::numeric_limits<double>::epsilon();
 
+// Bounces are followed until the rebounds are slower than this share of the speed by which forces press the
+// pair together within a step. With e = 1/2 the bounces left out would last an eighth of a step at most.
+constexpr double kLastShare = 0.03125;
+
 // Relative to the size: a contact that is open by more has ended.
 constexpr double kOpen = 0.02;
 
@@ -34,8 +38,11 @@ Eigen::Vector3d acceleration_by(const World& world, const ContactForce& f, const
 
 }  // namespace
 
-void ContactPressing::find(World& world, double step_length, const ContactMemory& memory) {
+void ContactPressing::find(World& world, double step_length, bool may_divide, const ContactMemory& memory) {
   step_length_ = step_length;
+  follows_bounces_ = may_divide && world.method.impacts == ImpactsId::kLocated &&
+                     world.method.integrator != IntegratorId::kExplicitEuler &&
+                     memory.forces.size() <= static_cast<std::size_t>(kFewContactsOfScene);
   const int n = world.bodies();
   acceleration_.setZero(3, n);
   for (BodyIndex i{0}; i < n; ++i) {
@@ -95,7 +102,7 @@ double ContactPressing::between(const World& world, const ContactMemory& memory,
 
 double ContactPressing::rest_speed(const World& world, double press, double restitution) const {
   if (!(press > 0.0)) return noise_;
-  double share = 1.0;
+  double share = follows_bounces_ ? kLastShare : 1.0;
   if (world.method.integrator == IntegratorId::kExplicitEuler && restitution < 1.0)
     share = std::max(share, last_rebound_of_euler(restitution));
   return std::max(noise_, share * press * step_length_);

@@ -14,8 +14,9 @@ namespace carom {
 // part of one. It decides whether a contact that closes is a hit or comes to rest.
 class ContactPressing {
  public:
-  // For a step of step_length s, at the start of trajectories on which no contact forces act.
-  void find(World& world, double step_length, const ContactMemory& memory);
+  // For a step of step_length s, at the start of trajectories on which no contact forces act. If it may be
+  // divided, what happens within it is followed in scenes with few contacts.
+  void find(World& world, double step_length, bool may_divide, const ContactMemory& memory);
   // After the contact forces have changed.
   void update(const World& world, const ContactMemory& memory);
 
@@ -24,8 +25,11 @@ class ContactPressing {
   [[nodiscard]] double between(const World& world, const ContactMemory& memory, BodyIndex a, BodyIndex b,
                                const Vec2& point, const Vec2& normal) const;
   // m/s: a contact that `press` (m/s²) closes rests if it rebounds slower than this: the press would close it
-  // again within a step. noise() if nothing presses it.
+  // again within a step, or within a small part of one where bounces are followed. noise() if nothing presses
+  // it.
   [[nodiscard]] double rest_speed(const World& world, double press, double restitution) const;
+  // Whether contacts begin, end and bounce at their own times within this step.
+  [[nodiscard]] bool follows_bounces() const { return follows_bounces_; }
   // m/s: slower motions are rounding, or what the order of the method leaves.
   [[nodiscard]] double noise() const { return noise_; }
   // m/s: the largest change of a speed by other forces than those of contacts in a step.
@@ -40,7 +44,8 @@ class ContactPressing {
     Eigen::Vector3d of_b;
   };
 
-  double step_length_ = 0.0;       // s
+  double step_length_ = 0.0;  // s
+  bool follows_bounces_ = false;
   std::vector<Push> pushes_;       // parallel to the forces of the memory
   Eigen::Matrix3Xd acceleration_;  // m/s², rad/s²: of all other forces
   Eigen::Matrix3Xd pressing_;      // likewise, of all forces

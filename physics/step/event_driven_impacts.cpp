@@ -40,9 +40,6 @@ constexpr int kFew = 16;
 // Of a step: impacts leave no shorter rest as a part of its own. Contacts would close or open gaps of rounding
 // within it, at any speed.
 constexpr double kLeastPart = 1e-6;
-// In a scene with few contacts only rebounds rest that are slower than this share of the speed by which forces
-// press the pair together within a step. With e = 1/2 the bounces left out would last half a step at most.
-constexpr double kLastShare = 0.125;
 // Limits for each later step of a run that has once reached kMostImpactsPerStep or kMostImpactsAtOnce (a
 // piston crushing an elastic disc, say), so that it still advances.
 constexpr int kMostImpactsOnceCapped = 20'000;
@@ -57,15 +54,6 @@ constexpr int kMostTrajectoryEndsPerBody = 20;
 constexpr std::int64_t kInternalEdge = 20;
 // Largest number of epochs in one step.
 constexpr double kMostEpochs = 1024.0;
-
-// m/s: a pair with contacts that last rests after an impact from which it rebounds slower.
-double last_rebound(const World& world, const RestingContacts& resting, BodyIndex a, BodyIndex b,
-                    const Contact& contact, double restitution) {
-  const bool few = resting.forces().size() <= static_cast<std::size_t>(kFewContactsOfScene);
-  const bool follows = few && world.method.integrator != IntegratorId::kExplicitEuler;
-  return (follows ? kLastShare : 1.0) *
-         resting.rest_speed(world, a, b, contact.point, contact.normal, restitution);
-}
 
 // Whether the step is divided at a time if impacts change supports then.
 bool divides(const auto& step, double time) {
@@ -350,7 +338,8 @@ bool EventDrivenImpacts::comes_to_rest(const Step& step, BodyIndex a, BodyIndex 
                               .fastest_approach(a, b, touch_tolerance(world, a, b),
                                                 world.shapes().parts_or_first(contact.parts, a, b))
                               .speed;
-  return restitution * closing < last_rebound(world, *step.resting, a, b, contact, restitution);
+  return restitution * closing <
+         step.resting->rest_speed(world, a, b, contact.point, contact.normal, restitution);
 }
 
 // The contact forces on what is hit were found for its motion before: they hold until now.
@@ -376,7 +365,8 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, BodyIndex a, BodyInd
   if (world.method.integrator == IntegratorId::kExplicitEuler)
     rest = std::max(rest, last_rebound_of_euler(material.restitution) * press * step.h);
   if (step.resting != nullptr)
-    rest = std::max(rest, last_rebound(world, *step.resting, a, b, contact, material.restitution));
+    rest = std::max(rest,
+                    step.resting->rest_speed(world, a, b, contact.point, contact.normal, material.restitution));
   if (press > 0.0 && rebound < rest) {
     // The time that the omitted bounces would last, where their sum is known.
     const bool exact = choice_of(kIntegrators, world.method.integrator).exact_under_gravity;

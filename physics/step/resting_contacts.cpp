@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/collision/pair_contact.h"
 #include "physics/contact/contact_velocity.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/vectors.h"
@@ -43,6 +44,8 @@ constexpr double kMostMotion = 0.1;
 constexpr int kMostEnds = 3;
 constexpr double kAbout = 0.9;
 constexpr double kWhole = 1.0 - 1e-6;
+// Rounds in which contacts are kept that would sink in.
+constexpr int kMostSinking = 8;
 // Of the time until a face ends.
 constexpr double kShortly = 0.99;
 
@@ -79,11 +82,18 @@ void RestingContacts::take_off_forces(World& world) {
 }
 
 void RestingContacts::support(World& world, double h, bool may_divide) {
+  may_divide_ = may_divide;
+  finder_.begin_part();
+  support_found(world, h);
+  for (int k = 0; may_divide && k < kMostSinking && keep_what_sinks(world); ++k) support_found(world, h);
+}
+
+void RestingContacts::support_found(World& world, double h) {
   take_off_forces(world);
   find_contacts(world, h);
   supported_ = h;
   linear_.begin_part(world.trajectories.epoch(), step_length_);
-  if (may_divide) {
+  if (may_divide_) {
     supported_ = first_break(world, found_.contacts, h);
     find_touches_near_ends(world, found_, finder_.neighbours(), supported_, near_ends_);
     if (!near_ends_.empty()) {
@@ -92,13 +102,29 @@ void RestingContacts::support(World& world, double h, bool may_divide) {
     }
     if (supported_ < h) find_contacts(world, supported_);
   }
-  double holds = hold(world, supported_, may_divide ? 0.0 : supported_);
-  for (int round = 1; may_divide && round <= kMostEnds && holds < kWhole * supported_; ++round) {
+  double holds = hold(world, supported_, may_divide_ ? 0.0 : supported_);
+  for (int round = 1; may_divide_ && round <= kMostEnds && holds < kWhole * supported_; ++round) {
     supported_ = holds;
     take_off_forces(world);
     find_contacts(world, supported_);
     holds = hold(world, supported_, round < kMostEnds ? 0.0 : kAbout * supported_);
   }
+}
+
+// A contact that was leaving is one that presses, if the forces on the others bring it back at once.
+bool RestingContacts::keep_what_sinks(const World& world) {
+  bool any = false;
+  for (const Landing& landing : found_.landings) {
+    const auto& [a, b, id] = landing;
+    const Manifold m = manifold_of(world.shapes(), a, pose_at_start(world, a), b, pose_at_start(world, b), id,
+                                   std::numeric_limits<double>::infinity());
+    const int k = point_with(m, id);
+    if (k < 0 || m.points[static_cast<std::size_t>(k)].gap > touch_tolerance(world, a, b)) continue;
+    if (world.parting_speed(a, b, m.contact(k)) >= 0.0 || hit_now(world, landing)) continue;
+    finder_.keep(landing);
+    any = true;
+  }
+  return any;
 }
 
 // The first end of a face within h s, first on the forces that are on the trajectories, and then on those found
@@ -119,7 +145,7 @@ double RestingContacts::end_of_faces(World& world, double h) {
 }
 
 void RestingContacts::find_contacts(World& world, double h) {
-  pressing_.find(world, step_length_, memory_);
+  pressing_.find(world, step_length_, may_divide_, memory_);
   finder_.find(world, step_length_, h, pressing_, memory_, found_);
   for (int i = 0; i < found_.contacts.size(); ++i) {
     if (leaves_corner(world, found_, i, finder_.neighbours(), h) || has_passed_on(world, found_, i))
@@ -129,6 +155,7 @@ void RestingContacts::find_contacts(World& world, double h) {
 
 int RestingContacts::support_part(World& world, double step, int left) {
   take_off_forces(world);
+  may_divide_ = false;
   const double unit = step / kMostParts;
   const double whole = std::max(step, world.method.step) / step;
   step_length_ = whole * left * unit;

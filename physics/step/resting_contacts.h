@@ -58,6 +58,8 @@ class RestingContacts {
   [[nodiscard]] std::optional<LandingTime> first_landing(World& world, double end) const;
   // Lets the landed pair rebound by the law of impacts, if the rebound is faster than rest_speed().
   void land(World& world, const LandingTime& landing) const;
+  // Where the pair hits at the trajectories' start: faster than that.
+  [[nodiscard]] std::optional<Contact> hit_now(const World& world, const Landing& landing) const;
   // Enters the work of the contact forces until `passed` s after the epoch into the ledger; `share` is its
   // share of the time for which the forces were found.
   void record_forces(World& world, double passed, double share);
@@ -83,7 +85,9 @@ class RestingContacts {
 
  private:
   void take_off_forces(World& world);
+  void support_found(World& world, double h);
   void find_contacts(World& world, double h);
+  bool keep_what_sinks(const World& world);
   double end_of_faces(World& world, double h);
   double hold(World& world, double h, double least);
   [[nodiscard]] int parts_at_once(const World& world, double h);
@@ -112,6 +116,7 @@ class RestingContacts {
   double supported_ = 0.0;    // s
   double step_length_ = 0.0;  // s: the method's step, or the step under way if that is longer
   ContactMemory memory_;
+  bool may_divide_ = false;
   ContactPressing pressing_;
   ContactFinder finder_;
   FoundContacts found_;

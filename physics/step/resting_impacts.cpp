@@ -42,6 +42,24 @@ void add_touches(const World& world, const FoundContacts& found, std::vector<Hit
   }
 }
 
+// m: the largest gap where forces press one of these bodies against another one.
+double held_apart(const World& world, const ContactMemory& memory, BodyIndex a, BodyIndex b) {
+  const Geometry& shapes = world.shapes();
+  double apart = 0.0;
+  for (std::size_t i = 0; i < memory.support.size(); ++i) {
+    const ContactForce& f = memory.forces[i];
+    const auto has = [&f](BodyIndex body) { return f.a == body || f.b == body; };
+    if (!(memory.support[i][0] > 0.0) ||
+        !((has(a) && !world.is_immovable(a)) || (has(b) && !world.is_immovable(b))))
+      continue;
+    const Manifold m = manifold_of(shapes, f.a, pose_at_start(world, f.a), f.b, pose_at_start(world, f.b), f.id,
+                                   std::numeric_limits<double>::infinity());
+    const int k = point_with(m, f.id);
+    if (k >= 0) apart = std::max(apart, m.points[static_cast<std::size_t>(k)].gap);
+  }
+  return apart;
+}
+
 }  // namespace
 
 std::optional<LandingTime> RestingContacts::first_landing(World& world, double end) const {
@@ -74,29 +92,52 @@ std::optional<LandingTime> RestingContacts::first_landing(World& world, double e
       }
     }
     if (!(at_end < 0.0 && at_end < at_start)) continue;
-    // Bodies that were parted elsewhere may have been moved into each other here.
-    if (at_start <= 0.0 && at_start > -kMovedIn * smaller_size(world, a, b)) continue;
-    time = at_start > 0.0 ? bracketed_root(gap, 0.0, at_start, until, at_end) : 0.0;
+    double from = 0.0;
+    double at_from = at_start;
+    if (at_start <= 0.0 && at_start > -kMovedIn * smaller_size(world, a, b)) {
+      // It hits now, or leaves and comes back; else bodies that were parted elsewhere have been moved into each
+      // other here.
+      if (hit_now(world, landing)) return LandingTime{landing, 0.0};
+      for (int k = 0; at_from <= 0.0 && k < kMostHalves; ++k) {
+        from = 0.5 * until;
+        at_from = gap(from);
+        if (at_from > 0.0) break;
+        until = from;
+        at_end = at_from;
+      }
+      if (!(at_from > 0.0)) continue;
+    }
+    time = at_from > 0.0 ? bracketed_root(gap, from, at_from, until, at_end) : 0.0;
     first = {landing, time};
     if (time == 0.0) break;
   }
   return first;
 }
 
-void RestingContacts::land(World& world, const LandingTime& landing) const {
-  const auto& [a, b, id] = landing.landing;
-  const Geometry& shapes = world.shapes();
-  const Manifold m = manifold_of(shapes, a, pose_at_start(world, a), b, pose_at_start(world, b), id,
+std::optional<Contact> RestingContacts::hit_now(const World& world, const Landing& landing) const {
+  const auto& [a, b, id] = landing;
+  const Manifold m = manifold_of(world.shapes(), a, pose_at_start(world, a), b, pose_at_start(world, b), id,
                                  std::numeric_limits<double>::infinity());
   const int k = point_with(m, id);
-  if (k < 0) return;
+  if (k < 0) return std::nullopt;
   // The point that has landed, which need not be the deepest.
   const Contact contact = m.contact(k);
   const SurfaceLaw& material = world.material(contact, a, b);
   const double closing = -world.parting_speed(a, b, contact);
-  if (impact_speed(material, closing) >
-      rest_speed(world, a, b, contact.point, contact.normal, material.restitution))
-    apply_impact(world, a, b, pressed_contact(world, a, b, contact), material, landing.time);
+  const double rest = rest_speed(world, a, b, contact.point, contact.normal, material.restitution);
+  if (!(impact_speed(material, closing) > rest)) return std::nullopt;
+  return contact;
+}
+
+void RestingContacts::land(World& world, const LandingTime& landing) const {
+  const auto& [a, b, id] = landing.landing;
+  const std::optional<Contact> contact = hit_now(world, landing.landing);
+  if (!contact) return;
+  // A contact that is held touches, too: there the forces leave an error of the method.
+  Contact touching = *contact;
+  touching.gap = std::max(contact->gap, held_apart(world, memory_, a, b));
+  apply_impact(world, a, b, pressed_contact(world, a, b, touching), world.material(*contact, a, b),
+               landing.time);
 }
 
 // How two parts approach that rebound by the law of impacts, as they are faster than a contact may rest: in the

@@ -237,7 +237,7 @@ TEST(FlatLandings, AStackThatRocksComesToRest) {
       Simulation run(s);
       run.advance_to(1.2);
       EXPECT_LT(std::abs(run.ledger().penetration_correction), 0.05);
-      EXPECT_LT(run.impact_count(), 300);
+      EXPECT_LT(run.impact_count(), 600);
       EXPECT_NEAR(run.state().position(1).y(), 0.5 * stack.sizes[0].y(), 1e-9);
       EXPECT_NEAR(run.state().position(2).y(), stack.sizes[0].y() + 0.5 * stack.sizes[1].y(), 1e-9);
       for (const int k : {1, 2}) EXPECT_NEAR(run.state().q(2, k), 0.0, 1e-9);

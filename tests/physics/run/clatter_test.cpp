@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <random>
+
+#include "physics/run/run_setup.h"
+#include "physics/run/simulation.h"
+#include "tests/support/scenes.h"
+
+// A body that lands with one corner after the other bounces ever faster until it rests, within few steps.
+namespace carom {
+namespace {
+
+RunSetup on_a_table(std::vector<Body> bodies, double slope, double restitution, double friction, double step) {
+  Body table = test::wall("table", {0.1 * std::sin(slope), -0.1 * std::cos(slope)}, 4.0, 0.2, -slope);
+  bodies.insert(bodies.begin(), table);
+  RunSetup setup = test::setup_with(std::move(bodies), restitution, friction);
+  setup.scene.forces.gravity = Vec2(0.0, -9.81);
+  setup.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting};
+  setup.method.step = step;
+  return setup;
+}
+
+// A disc, a box or a polygon that drops a few centimetres, turning.
+RunSetup random_drop(int seed, double step) {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  const auto number = [&random](double from, double to) {
+    return std::uniform_real_distribution<>(from, to)(random);
+  };
+  const auto choice = [&random](int count) { return std::uniform_int_distribution<>(0, count - 1)(random); };
+  const double size = 0.1 * (1 + choice(3));
+  Body body = test::box("body", {number(-0.6, 0.2), size + number(0.02, 0.15)},
+                        {number(-0.5, 1.0), number(-0.3, 0.3)}, size, size * number(0.5, 1.5));
+  if (choice(2) == 0) {
+    Polygon polygon;
+    const int corners = 3 + choice(4);
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / corners;
+      polygon.vertices.emplace_back(0.5 * size * std::cos(angle), 0.5 * size * std::sin(angle));
+    }
+    body.shape = polygon;
+  }
+  body.angle = number(-3.0, 3.0);
+  body.spin = number(-2.0, 2.0);
+  const double slope = 0.1 * choice(3);
+  const double restitution = 0.2 + 0.1 * choice(6);
+  return on_a_table({body}, slope, restitution, 0.1 * choice(5), step);
+}
+
+Eigen::Vector3d pose_after(const RunSetup& setup, double time) {
+  Simulation run(setup);
+  run.advance_to(time, [] {});
+  return run.state().q.col(1);
+}
+
+double largest_rise(const RunSetup& setup, double until) {
+  Simulation run(setup);
+  double last = run.totals().energy();
+  double rise = 0.0;
+  run.advance_to(until, [&] {
+    const double now = run.totals().energy();
+    rise = std::max(rise, now - last);
+    last = now;
+  });
+  return rise;
+}
+
+// The reference is of 64 times as many steps, and half of them tell its error.
+TEST(Clatter, ADropIsRightWithLargeSteps) {
+  int known = 0;
+  for (int seed = 1; seed <= 24; ++seed) {
+    const auto after = [seed](int parts) { return pose_after(random_drop(seed, 1.0 / 60.0 / parts), 1.0); };
+    const Eigen::Vector3d reference = after(64);
+    const double unknown = (reference - after(32)).cwiseAbs().maxCoeff();
+    if (unknown > 1e-6) continue;
+    ++known;
+    EXPECT_LT((after(1) - reference).cwiseAbs().maxCoeff(), 1e-3) << "seed " << seed;
+    EXPECT_LT((after(4) - reference).cwiseAbs().maxCoeff(), 2e-5) << "seed " << seed;
+  }
+  EXPECT_GT(known, 16);
+}
+
+// It rocked on for ever, and gained energy: what had just been hit was held in the air by the forces of the
+// step.
+TEST(Clatter, ATriangleComesToRest) {
+  Body body = test::box("body", {-0.08082035749046057, 0.33711706392758095},
+                        {0.2036035716732456, -0.1520563004281018}, 0.1, 0.1);
+  body.shape = Polygon{{{0.0535413465094767, -0.0844590090751256},
+                        {0.04637297418278093, 0.08859767076759488},
+                        {-0.09991432069225757, -0.00413866169246917}}};
+  body.angle = -2.3207642120811336;
+  body.spin = 0.1750434369437217;
+  const RunSetup setup = on_a_table({body}, 0.0, 0.7, 0.2, 1.0 / 60.0);
+  EXPECT_LT(largest_rise(setup, 1.5), 1e-5);
+  Simulation run(setup);
+  run.advance_to(1.5, [] {});
+  EXPECT_LT(run.state().v.col(1).norm(), 1e-9);
+}
+
+// Where one of three corners is left out of the forces, it sinks in.
+TEST(Clatter, BodiesThatLandOnEachOtherGainNothing) {
+  Body lower =
+      test::box("lower", {0.047211160236633465, 0.2}, {-0.012569198461883313, 0.0}, 0.2, 0.2895906511384162);
+  lower.angle = -1.5021393127398992;
+  Body upper = test::box("upper", {0.030979039083016552, 0.54}, {0.2393693204055553, 0.0}, 0.2,
+                         0.24284816543688353, 2.0);
+  upper.angle = -0.9687820421898614;
+  for (const double step : {0.005, 0.0025})
+    EXPECT_LT(largest_rise(on_a_table({lower, upper}, 0.0, 0.2, 0.0, step), 1.5), 1e-8) << step;
+}
+
+}  // namespace
+}  // namespace carom
