@@ -37,6 +37,24 @@ double rolling_radius(const ConvexShapes& shapes, const ShapePair& parts) {
   return curvature > 0.0 ? 1.0 / curvature : 0.0;
 }
 
+void set_place(Contacts& c, int i, const Vec2& normal, const ManifoldPoint& at, const Vec2& of_a,
+               const Vec2& of_b) {
+  c.normal[i] = normal;
+  c.arm_a[i] = at.point - of_a;
+  c.arm_b[i] = at.point - of_b;
+  c.gap[i] = at.gap;
+}
+
+// And no impulses yet.
+void set_friction(const World& world, Contacts& c, int i, const SurfaceLaw& material, const ShapePair& parts) {
+  const ShapePair touching = world.shapes().parts_or_first(parts, c.a[i], c.b[i]);
+  c.slip_target[i] = 0.0;
+  c.static_friction[i] = material.static_friction;
+  c.kinetic_friction[i] = material.kinetic_friction;
+  c.rolling[i] = material.rolling_resistance * rolling_radius(world.shapes().shapes, touching);
+  c.normal_impulse[i] = c.tangential_impulse[i] = c.rolling_impulse[i] = 0.0;
+}
+
 // Whether a point of a manifold takes over from one that was there a step before, though other features touch
 // now: a corner has come to the end of an edge.
 bool continues(const World& world, const Manifold& m, const ManifoldPoint& at, const ContactForce& force) {
@@ -182,10 +200,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     if (i == c.size()) c.resize(std::max(kFirstCapacity, 2 * i));
     c.a[i] = a;
     c.b[i] = b;
-    c.normal[i] = m.normal;
-    c.arm_a[i] = at.point - poses_[a].position;
-    c.arm_b[i] = at.point - poses_[b].position;
-    c.gap[i] = at.gap;
+    set_place(c, i, m.normal, at, poses_[a].position, poses_[b].position);
     const RowVelocity u = contact_velocity(c, i, world.state.v);
     const double closing = -u.normal;
     const double press = step.pressing.between(world, step.memory, a, b, at.point, m.normal);
@@ -203,9 +218,8 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const bool follows = step.pressing.follows_bounces();
     const bool outside = at.gap > -kHeldInside * smaller_size(world, a, b);
     const bool comes_later = !pressed_before && at.gap > kFlush * size;
-    const bool leaves = cornered && closing < -rest;
-    const bool begins_later =
-        follows ? outside && (leaves || comes_later) && !kept : euler_in_time && comes_later;
+    const bool begins_later = follows ? outside && (comes_later || (cornered && closing < -rest)) && !kept
+                                      : euler_in_time && comes_later;
     const bool touches = follows && !open && outside;
     const bool lands_now = touches && !slow;
     // The event queue knows no pair that the error of the forces that held it has left inside.
@@ -230,13 +244,8 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     found.returns.push_back(0.0);
     c.target[i] = slow || hits ? -found.room(i) / step.h : -std::numeric_limits<double>::infinity();
     if (hits && (found.hits.empty() || found.hits.back() != std::pair(a, b))) found.hits.emplace_back(a, b);
-    c.slip_target[i] = 0.0;
-    c.static_friction[i] = material.static_friction;
-    c.kinetic_friction[i] = material.kinetic_friction;
-    c.rolling[i] = material.rolling_resistance *
-                   rolling_radius(world.shapes().shapes, world.shapes().parts_or_first(m.parts, a, b));
+    set_friction(world, c, i, material, m.parts);
     c.sticks[i] = std::abs(u.tangential) <= slip ? 1 : 0;
-    c.normal_impulse[i] = c.tangential_impulse[i] = c.rolling_impulse[i] = 0.0;
     found.guess.emplace_back(Eigen::Vector3d::Zero());
     if (before) {
       c.sticks[i] = forces[*before].sticks;
