@@ -82,6 +82,16 @@ void Trajectories::begin(double epoch) {
   }
 }
 
+void Trajectories::look_at(double time, State& into) {
+  const std::vector<Flights::Group> groups = flights_.groups;
+  const std::int64_t evaluations = flights_.evaluations;
+  const std::int64_t work = flights_.flight_work;
+  for (BodyIndex i{0}; i < into.size(); ++i) into.set_motion(i, flights_.at(i, std::max(time, start(i))));
+  flights_.groups = groups;
+  flights_.evaluations = evaluations;
+  flights_.flight_work = work;
+}
+
 void Trajectories::begin_step() {
   flights_.flight_work = 0;
   step_start_.springs = flights_.field.switches();

@@ -63,6 +63,9 @@ class Trajectories {
   [[nodiscard]] auto at_end(BodyIndex body) const { return flights_.at_end.col(body); }
   // start <= time <= end, or later until the trajectory is rebuilt.
   [[nodiscard]] Motion at(BodyIndex body, double time) { return flights_.at(body, time); }
+  // All bodies at a time, each no earlier than its start, for who only looks: neither the work since
+  // begin_step() nor any later motion knows of it.
+  void look_at(double time, State& into);
   // Whether a body's acceleration by contacts changes: its parabola is bent.
   [[nodiscard]] bool is_bent(BodyIndex body) const { return flights_.is_bent(body); }
   // On a parabola only (see is_parabolic): q in m and rad at a time, and v.

@@ -182,7 +182,10 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
   const Motion of_b = motion(b);
   const Twist twist_a{of_a.segment<2>(3), of_a[5]};
   const Twist twist_b{of_b.segment<2>(3), of_b[5]};
-  const double tolerance = touch_tolerance(world, a, b);
+  // No less than that of the search, which has found them here.
+  const double flight = std::min(trajectories.end(a), trajectories.end(b)) -
+                        std::max(trajectories.start(a), trajectories.start(b));
+  const double tolerance = touch_tolerance(world, a, b, flight);
   const auto [low, high] = std::minmax(a, b);
   const bool rests = SearchRules{end_of_step_, step.resting, 0.0, 0.0, kNever}.rests(low, high);
   std::optional<ShapePair> meet;

@@ -67,8 +67,7 @@ void World::publish(double within) {
 State World::state_at(double within) {
   State all;
   all.resize(state.size());
-  for (BodyIndex i{0}; i < all.size(); ++i)
-    all.set_motion(i, trajectories.at(i, std::max(within, trajectories.start(i))));
+  trajectories.look_at(within, all);
   return all;
 }
 

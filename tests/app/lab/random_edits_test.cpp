@@ -261,52 +261,54 @@ TEST(RandomEditsTest, AtTheStart) {
   }
 }
 
-TEST(RandomEditsTest, OnTheWay) {
+// Three of them, which run side by side.
+class RandomEditsOnTheWay : public testing::TestWithParam<unsigned> {};
+
+TEST_P(RandomEditsOnTheWay, AreKnownAndComeBack) {
   const int edits = test::by_effort(20, 40, 3'400);
-  for (unsigned seed = 1; seed <= 3; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    std::mt19937 random(seed);
-    EditedSession edited;
-    edited.settle();
-    for (int i = 0; i < edits && !testing::Test::HasFailure(); ++i) {
-      SCOPED_TRACE("edit " + std::to_string(i));
-      LabRuns& runs = edited.session().runs();
-      switch (random() % 12) {
-        case 0:
-          take_some_back(edited, random() % 4);
-          break;
-        case 1:
-          make_some_again(edited, random() % 4);
-          break;
-        case 2:
-          edited.cancel_drag(*runs.scene(), static_cast<unsigned>(random()));
-          break;
-        case 3:
-        case 4:
-          edited.edit_playing(static_cast<unsigned>(random()));
-          break;
-        case 5:
-          edited.restart();
-          break;
-        case 6:
-        case 7:
-          runs.run_until(runs.frame()->time + 0.05 * static_cast<double>(1 + random() % 4));
-          break;
-        default:
-          edited.edit_now(static_cast<unsigned>(random()));
-      }
-      edited.settle();
-      edited.expect_known();
-      edited.expect_known_run();
-      edited.expect_reopens();
+  std::mt19937 random(GetParam());
+  EditedSession edited;
+  edited.settle();
+  for (int i = 0; i < edits && !testing::Test::HasFailure(); ++i) {
+    SCOPED_TRACE("edit " + std::to_string(i));
+    LabRuns& runs = edited.session().runs();
+    switch (random() % 12) {
+      case 0:
+        take_some_back(edited, random() % 4);
+        break;
+      case 1:
+        make_some_again(edited, random() % 4);
+        break;
+      case 2:
+        edited.cancel_drag(*runs.scene(), static_cast<unsigned>(random()));
+        break;
+      case 3:
+      case 4:
+        edited.edit_playing(static_cast<unsigned>(random()));
+        break;
+      case 5:
+        edited.restart();
+        break;
+      case 6:
+      case 7:
+        runs.run_until(runs.frame()->time + 0.05 * static_cast<double>(1 + random() % 4));
+        break;
+      default:
+        edited.edit_now(static_cast<unsigned>(random()));
     }
-    go_through(edited, [&] {
-      edited.settle();
-      edited.expect_known_run();
-    });
-    EXPECT_GT(edited.compared(), 0);
+    edited.settle();
+    edited.expect_known();
+    edited.expect_known_run();
+    edited.expect_reopens();
   }
+  go_through(edited, [&] {
+    edited.settle();
+    edited.expect_known_run();
+  });
+  EXPECT_GT(edited.compared(), 0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomEditsOnTheWay, testing::Values(1U, 2U, 3U));
 
 }  // namespace
 }  // namespace carom

@@ -106,25 +106,28 @@ class Laws {
     // Impacts that are resolved at once share one jump, the first: those after it change nothing.
     const std::vector<Jump>& jumps = run.last_jumps();
     double missing = 0.0;
-    double most = 0.0;  // of one time: a second impact has the rounding of the first
+    double most = 0.0;   // of one time: a second impact has the rounding of the first
+    double works = 0.0;  // J, of the impulses: they cancel where bodies are wedged
     double lost = 0.0;
     bool kinematic = false;
     const auto has_motion = [&](std::size_t k) { return !test::same_bytes(jumps[k].before, jumps[k].after); };
     for (std::size_t k = 0; k < jumps.size(); ++k) {
       const ImpactRecord& r = records[k];
       if (k > 0 && jumps[k].time != jumps[k - 1].time) most = 0.0;
-      if (has_motion(k)) missing = lost = 0.0, kinematic = false;
+      if (has_motion(k)) missing = lost = works = 0.0, kinematic = false;
       kinematic = kinematic || run.bodies()[r.a].drive || run.bodies()[r.b].drive;
       const double before = run.totals_of(jumps[k].before).kinetic();
       const double after = run.totals_of(jumps[k].after).kinetic();
       most = std::max(most, before);
       lost += r.lost_to_restitution + r.lost_to_friction;
+      works += r.normal_impulse * std::abs(r.closing_speed);
       missing += before - after - r.lost_to_restitution - r.lost_to_friction;
       const bool last = k + 1 < jumps.size() ? has_motion(k + 1) : jumps.size() == records.size();
       if (!last || kinematic) continue;
       if (!(std::abs(missing) <= 1e-12 * most + std::numeric_limits<double>::min()))  // or it underflows
         return fmt::format("an impact took {} J more than it says, of {} J", missing, most);
-      if (!(lost >= -1e-11 * most)) return fmt::format("impacts gained {} J of {} J", -lost, most);
+      if (!(lost >= -1e-11 * std::max(most, works)))
+        return fmt::format("impacts gained {} J of {} J", -lost, most);
     }
     return {};
   }
@@ -243,6 +246,15 @@ TEST(RandomScenes, OfCompoundsKeepTheLawsUnderEveryMethod) {
 TEST(RandomScenes, KeepTheLawsWhereTheyOnceDidNot) {
   for (const std::uint64_t seed : {531U, 640U, 1050U, 3380U, 5153U}) {
     for (const std::string& broken : broken_laws(seed, test::random_scene(seed))) ADD_FAILURE() << broken;
+  }
+}
+
+// 188: a body is wedged between two contacts of opposite normals; 371, 3292: a light body bounces ever faster
+// between a wall and a heavy one; 1825: a step that spends its budget.
+TEST(RandomScenes, OfCompoundsKeepTheLawsWhereTheyOnceDidNot) {
+  for (const std::uint64_t seed : {188U, 371U, 1825U, 3292U}) {
+    for (const std::string& broken : broken_laws(seed, test::random_scene_of_compounds(seed)))
+      ADD_FAILURE() << broken;
   }
 }
 
