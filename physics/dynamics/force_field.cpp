@@ -34,7 +34,8 @@ ForceField::ForceField(std::shared_ptr<const Model> model)
     // At a margin of zero a spring acts if its ends move into its range.
     double margin = switch_margin(spring, a, b);
     if (margin == 0.0) {
-      const double closing = -(q_of(a) - q_of(b)).head<2>().dot((v_of(a) - v_of(b)).head<2>());
+      const SpringLine line = line_of(s, a, b);
+      const double closing = -line.along.dot(line.rate);
       margin = s.acts == SpringActs::kPull ? -closing : closing;
     }
     engaged_.push_back(s.acts == SpringActs::kBoth || margin > 0.0 ? 1 : 0);
@@ -79,8 +80,10 @@ void ForceField::add_external(BodyIndex body, double t, const Eigen::Vector3d& q
         end = drive_position(model_->drive(term.drive), term.anchor, t);
         end_velocity = drive_velocity(model_->drive(term.drive), t);
       }
-      const Pull p = pull(term, x - end, v - end_velocity);
+      const Vec2 arm = arm_at(term.point, q[2]);
+      const Pull p = pull(term, x + arm - end, v + spin * crossed(arm) - end_velocity);
       force += p.force;
+      torque += cross(arm, p.force);
       quadratures[kDamperLoss] += p.loss;
       // Work of the drive: it becomes kinetic energy, spring energy and the damper's loss.
       quadratures[kWorkIn] += p.force.dot(end_velocity);
@@ -91,9 +94,10 @@ void ForceField::add_external(BodyIndex body, double t, const Eigen::Vector3d& q
       const AppliedTerm& a = terms_->applied[i];
       if (phase_[i] == 0 || phase_[i] == 3) continue;
       const double share = phase_[i] == 1 ? (t - a.start) / a.rise : 1.0;
+      const double turning = a.torque + cross(arm_at(a.point, q[2]), a.force);
       force += share * a.force;
-      torque += share * a.torque;
-      quadratures[kWorkIn] += share * (a.force.dot(v) + a.torque * spin);
+      torque += share * turning;
+      quadratures[kWorkIn] += share * (a.force.dot(v) + (turning - untaken(body, turning)) * spin);
     }
     if (terms_->hand && terms_->hand->body == body) {
       const Vec2 arm = turned_by(q[2], terms_->hand->grip);
@@ -101,8 +105,7 @@ void ForceField::add_external(BodyIndex body, double t, const Eigen::Vector3d& q
       const Vec2 pull = pull_of_hand(x + arm, grip_velocity);
       force += pull;
       torque += cross(arm, pull);
-      quadratures[kHandWork] = pull.dot(v);
-      if (model_->mass.inverse_inertia[body] > 0.0) quadratures[kHandWork] += cross(arm, pull) * spin;
+      quadratures[kHandWork] = pull.dot(v) + (cross(arm, pull) - untaken(body, cross(arm, pull))) * spin;
     }
   }
   k[3] += model_->mass.inverse_mass[body] * force.x();
@@ -110,8 +113,7 @@ void ForceField::add_external(BodyIndex body, double t, const Eigen::Vector3d& q
   k[5] += model_->mass.inverse_inertia[body] * torque;
   quadratures[kImpulseX] = force.x();
   quadratures[kImpulseY] = force.y();
-  // A point-like body takes no torque.
-  quadratures[kAngularImpulse] = cross(x, force) + (model_->mass.inverse_inertia[body] > 0.0 ? torque : 0.0);
+  quadratures[kAngularImpulse] = cross(x, force) + (torque - untaken(body, torque));
 }
 
 ForceField::AddExternal ForceField::add_external_of(const ForceTerms& terms) {
@@ -137,11 +139,16 @@ void ForceField::add_couplings(std::span<const BodyIndex> members, const Motions
       const SpringTerm& term = terms_->springs[s];
       if (term.body != members[i] || !engaged(s)) continue;
       const auto j = column_of(term.other);
-      const Pull p =
-          pull(term, y.col(i).head<2>() - y.col(j).head<2>(), y.col(i).segment<2>(3) - y.col(j).segment<2>(3));
+      const SpringLine line = line_of(term, y.col(i), y.col(j));
+      const Pull p = pull(term, line.along, line.rate);
+      const double torque = cross(line.arm, p.force);
+      const double far_torque = -cross(line.far_arm, p.force);
       k.col(i).segment<2>(3) += model_->mass.inverse_mass[term.body] * p.force;
       k.col(j).segment<2>(3) -= model_->mass.inverse_mass[term.other] * p.force;
+      k(5, i) += model_->mass.inverse_inertia[term.body] * torque;
+      k(5, j) += model_->mass.inverse_inertia[term.other] * far_torque;
       k(6 + kDamperLoss, i) += p.loss;
+      k(6 + kAngularImpulse, i) -= untaken(term.body, torque) + untaken(term.other, far_torque);
     }
   }
   if (!terms_->attraction) return;
@@ -208,12 +215,14 @@ double ForceField::spring_energy(SpringIndex spring, double length) const {
   return engaged(spring) ? 0.5 * terms_->springs[spring].stiffness * stretch * stretch : 0.0;
 }
 
+Vec2 ForceField::other_end(const SpringTerm& spring, const Eigen::Matrix3Xd& q) {
+  const BodyIndex other = spring.other >= 0 ? spring.other : spring.drive;
+  return other < 0 ? spring.anchor : place_of(q, other, spring.other_point);
+}
+
 double ForceField::coupling_energy(SpringIndex spring, const Eigen::Matrix3Xd& q) const {
   const SpringTerm& term = terms_->springs[spring];
-  Vec2 end = term.anchor;
-  if (term.drive >= 0) end = q.col(term.drive).head<2>();
-  if (term.other >= 0) end = q.col(term.other).head<2>();
-  return spring_energy(spring, (q.col(term.body).head<2>() - end).norm());
+  return spring_energy(spring, (place_of(q, term.body, term.point) - other_end(term, q)).norm());
 }
 
 double ForceField::attraction_energy(BodyIndex a, BodyIndex b, const Vec2& d) const {
@@ -248,10 +257,10 @@ double ForceField::potential_energy_of(BodyIndex body, const Vec2& position, con
     if (lists->empty()) break;
     for (const SpringIndex s : (*lists)[body]) {
       const SpringTerm& term = terms_->springs[s];
-      Vec2 end = term.anchor;
-      if (term.drive >= 0) end = q.col(term.drive).head<2>();
-      if (term.other >= 0) end = q.col(term.other == body ? term.body : term.other).head<2>();
-      energy += spring_energy(s, (position - end).norm());
+      const bool far = term.other == body;
+      const Vec2 own = position + arm_at(far ? term.other_point : term.point, q.col(body)[2]);
+      const Vec2 end = far ? place_of(q, term.body, term.point) : other_end(term, q);
+      energy += spring_energy(s, (own - end).norm());
     }
   }
   if (!terms_->attraction) return energy;
@@ -301,10 +310,10 @@ Motion ForceField::spring_end(SpringIndex spring, double t) const {
 
 double ForceField::switch_margin(SpringIndex spring, const Motion& body, const Motion& other) const {
   const SpringTerm& term = terms_->springs[spring];
-  const Vec2 d = body.head<2>() - other.head<2>();
-  const double length = d.norm();
+  const SpringLine line = line_of(term, body, other);
+  const double length = line.along.norm();
   const double stretch = length - term.rest_length;
-  const double rate = length > 0.0 ? d.dot(body.segment<2>(3) - other.segment<2>(3)) / length : 0.0;
+  const double rate = length > 0.0 ? line.along.dot(line.rate) / length : 0.0;
   const double tension = term.stiffness * stretch + term.damping * rate;  // N, pulls if positive
   switch (term.acts) {
     case SpringActs::kBoth:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/dynamics/state.h"
+#include "physics/math/vectors.h"
 #include "physics/model/model.h"
 #include "physics/scene/drive.h"
 #include "physics/scene/scene.h"
@@ -128,7 +129,10 @@ class ForceField {
   }
   [[nodiscard]] bool attracts() const { return terms_->attraction.has_value(); }
   void set_engaged(SpringIndex spring, bool on) { engaged_[static_cast<std::size_t>(spring)] = on ? 1 : 0; }
-  [[nodiscard]] double spring_energy(SpringIndex spring, double length) const;  // J, where it acts
+  // J, where it acts, for positions of its ends.
+  [[nodiscard]] double spring_energy(SpringIndex spring, const Motion& body, const Motion& other) const {
+    return spring_energy(spring, line_of(terms_->springs[spring], body, other).along.norm());
+  }
   [[nodiscard]] BodyIndex spring_body(SpringIndex spring) const { return terms_->springs[spring].body; }
   [[nodiscard]] BodyIndex spring_other(SpringIndex spring) const {
     return terms_->springs[spring].other;
@@ -143,6 +147,28 @@ class ForceField {
     Vec2 force;   // N, on `body`
     double loss;  // W, of the damper
   };
+  // From a spring's other end to that on its body.
+  struct SpringLine {
+    Vec2 along;    // m
+    Vec2 rate;     // m/s
+    Vec2 arm;      // m, from the body's centre to its end
+    Vec2 far_arm;  // m, likewise of a movable body at the other end
+  };
+  // For columns that begin with the rows of a motion; `far` has the point itself if that body can't move.
+  template <class Own, class Far>
+  static SpringLine line_of(const SpringTerm& spring, const Own& own, const Far& far) {
+    SpringLine line;
+    line.arm = arm_at(spring.point, own[2]);
+    line.far_arm = arm_at(spring.other >= 0 ? spring.other_point : Vec2(Vec2::Zero()), far[2]);
+    line.along = own.template head<2>() + line.arm - far.template head<2>() - line.far_arm;
+    line.rate = own.template segment<2>(3) + own[5] * crossed(line.arm) - far.template segment<2>(3) -
+                far[5] * crossed(line.far_arm);
+    return line;
+  }
+  // m: from the centre of a body at an angle (rad) to a point of it.
+  static Vec2 arm_at(const Vec2& point, double angle) {
+    return point.isZero(0.0) ? point : turned_by(angle, point);
+  }
   // Has code only for the parts that the model has.
   using AddExternal = void (ForceField::*)(BodyIndex, double, const Eigen::Vector3d&, const Eigen::Vector3d&,
                                            double*) const;
@@ -151,7 +177,18 @@ class ForceField {
                     double* k) const;
   static AddExternal add_external_of(const ForceTerms& terms);
   [[nodiscard]] Pull pull(const SpringTerm& spring, const Vec2& d, const Vec2& u) const;
+  [[nodiscard]] double spring_energy(SpringIndex spring, double length) const;  // J, where it acts
   [[nodiscard]] double coupling_energy(SpringIndex spring, const Eigen::Matrix3Xd& q) const;
+  // m: where its other end is.
+  static Vec2 other_end(const SpringTerm& spring, const Eigen::Matrix3Xd& q);
+  static Vec2 place_of(const Eigen::Matrix3Xd& q, BodyIndex body, const Vec2& point) {
+    const auto own = q.col(body);
+    return own.head<2>() + arm_at(point, own[2]);
+  }
+  // N m: what turns nothing, as a point-like body takes no torque.
+  [[nodiscard]] double untaken(BodyIndex body, double torque) const {
+    return model_->mass.inverse_inertia[body] > 0.0 ? 0.0 : torque;
+  }
   [[nodiscard]] double attraction_energy(BodyIndex a, BodyIndex b, const Vec2& d) const;
 
   std::shared_ptr<const Model> model_;

@@ -64,10 +64,10 @@ double SwitchSearch::flip(Flights& f, const Island& island, const Switch& a_swit
   }
   const SpringIndex spring = std::get<SpringIndex>(a_switch);
   const Motion body = f.at(f.field.spring_body(spring), time);
-  const double length = (body - other_end(f, spring, time)).head<2>().norm();
-  const double before = f.field.spring_energy(spring, length);
+  const Motion other = other_end(f, spring, time);
+  const double before = f.field.spring_energy(spring, body, other);
   f.field.set_engaged(spring, !f.field.engaged(spring));
-  return before - f.field.spring_energy(spring, length);
+  return before - f.field.spring_energy(spring, body, other);
 }
 
 bool SwitchSearch::may_follow(const Flights& f, const Island& island) {

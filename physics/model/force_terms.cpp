@@ -1,5 +1,6 @@
 #include "physics/model/force_terms.h"
 
+#include "physics/math/vectors.h"
 #include "physics/model/bodies_by_name.h"
 #include "physics/scene/forces.h"
 
@@ -19,11 +20,12 @@ ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, co
   const auto index = bodies_by_name(bodies);
   for (const Spring& s : forces.springs) {
     const BodyIndex body = index.at(s.body);
-    SpringTerm term{body, kNoBody, kNoBody, s.anchor, s.stiffness, s.damping, s.rest_length, s.acts};
+    SpringTerm term{body,     kNoBody,     kNoBody,   s.point,       s.anchor,
+                    s.anchor, s.stiffness, s.damping, s.rest_length, s.acts};
     const SpringIndex spring = t.springs.end_index();
     if (!s.to.empty()) {
       const BodyIndex other = index.at(s.to);
-      term.anchor = bodies[other].position;
+      term.anchor = bodies[other].position + turned_by(bodies[other].angle, s.anchor);
       if (bodies[other].drive) term.drive = other;
       if (!has_infinite_mass(bodies[other])) term.other = other;
     }
@@ -39,8 +41,9 @@ ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, co
   for (const AppliedForce& f : forces.applied) {
     const BodyIndex body = index.at(f.body);
     t.applied_to[body].push_back(static_cast<int>(t.applied.size()));
-    t.applied.push_back({body, f.force, f.torque, f.start, f.rise, f.end});
-    t.constant = t.constant && f.start == 0.0 && f.rise == 0.0 && !f.end;
+    t.applied.push_back({body, f.point, f.force, f.torque, f.start, f.rise, f.end});
+    const bool turns_along = !f.point.isZero(0.0) && !f.force.isZero(0.0);
+    t.constant = t.constant && f.start == 0.0 && f.rise == 0.0 && !f.end && !turns_along;
   }
   if (forces.hand) {
     const auto body = index.find(forces.hand->body);

@@ -14,7 +14,9 @@ struct SpringTerm {
   BodyIndex body;
   BodyIndex other;     // a movable body, or -1
   BodyIndex drive;     // a kinematic body at the other end, or -1
-  Vec2 anchor;         // m, a point, or the scene's position of a fixed or kinematic body
+  Vec2 point;          // m, of the body, along its own axes
+  Vec2 other_point;    // m, likewise of a body at the other end
+  Vec2 anchor;         // m, a point of the plane; on a fixed or kinematic body where the scene has it
   double stiffness;    // N/m
   double damping;      // N s/m
   double rest_length;  // m
@@ -24,6 +26,7 @@ struct SpringTerm {
 // An applied force and torque, likewise.
 struct AppliedTerm {
   BodyIndex body;
+  Vec2 point;                 // m, of the body, along its own axes
   Vec2 force;                 // N
   double torque;              // N m
   double start;               // s

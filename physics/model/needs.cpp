@@ -20,7 +20,7 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
      "something spins, or an impact, friction or a torque can turn it",
      "nothing spins, and nothing can turn it",
      [](const SceneFacts& f, const Scene&) {
-       return f.spinning || f.torques || f.hand || f.rub || f.turning_joints || f.sticks ||
+       return f.spinning || f.torques || f.hand || f.rub || f.turning_springs || f.turning_joints || f.sticks ||
               (can_collide(f) && f.cornered);
      }},
     // Tangential restitution acts only within the bound that kinetic friction sets, so it needs friction too.

@@ -16,7 +16,7 @@ bool moves_otherwise(const Body& was, const Body& is) {
 // Of joints and springs: where their ends are.
 template <class Link>
 bool ends_elsewhere(const Link& was, const Link& is) {
-  return was.body != is.body || was.to != is.to || was.anchor != is.anchor;
+  return was.body != is.body || was.point != is.point || was.to != is.to || was.anchor != is.anchor;
 }
 
 // Adds an edit for each part of the list that `change` changes. Parts without an id, which a run has made, are

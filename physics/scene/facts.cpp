@@ -41,6 +41,12 @@ void look_at_materials(const Scene& scene, const std::vector<Body>& bodies, Scen
   facts.sticky = has_sticking_surface(scene);
 }
 
+// Of a joint or a spring: an end on a body is not its centre.
+template <class Link>
+bool acts_beside_centre(const Link& link) {
+  return !link.point.isZero(0.0) || (!link.to.empty() && !link.anchor.isZero(0.0));
+}
+
 void look_at_forces(const Scene& scene, SceneFacts& facts) {
   const Forces& f = scene.forces;
   each_common_force(f, [&facts](const CommonForce& force, const auto& value, const auto&...) {
@@ -49,6 +55,7 @@ void look_at_forces(const Scene& scene, SceneFacts& facts) {
   });
   for (const Spring& s : f.springs) {
     facts.springs = true;
+    facts.turning_springs = facts.turning_springs || acts_beside_centre(s);
     facts.one_sided = facts.one_sided || s.acts != SpringActs::kBoth;
   }
   facts.hand = f.hand.has_value();
@@ -56,8 +63,10 @@ void look_at_forces(const Scene& scene, SceneFacts& facts) {
     const bool push = !a.force.isZero(0.0);
     const bool torque = a.torque != 0.0;
     if (!push && !torque) continue;
+    const bool off_centre = push && !a.point.isZero(0.0);
     facts.pushes = facts.pushes || push;
-    facts.torques = facts.torques || torque;
+    facts.torques = facts.torques || torque || off_centre;
+    facts.off_centre = facts.off_centre || off_centre;
     facts.timed = facts.timed || a.start > 0.0 || a.rise > 0.0 || a.end.has_value();
   }
 }
@@ -66,8 +75,7 @@ void look_at_joints(const Scene& scene, SceneFacts& facts) {
   for (const Joint& l : scene.joints) {
     facts.joints = true;
     facts.strings = facts.strings || l.kind == JointKind::kString;
-    facts.turning_joints = facts.turning_joints || l.kind == JointKind::kWeld || !l.point.isZero(0.0) ||
-                           (!l.to.empty() && !l.anchor.isZero(0.0));
+    facts.turning_joints = facts.turning_joints || l.kind == JointKind::kWeld || acts_beside_centre(l);
   }
 }
 
@@ -102,6 +110,7 @@ std::string what_prevents(const Scene& scene, IntegratorId integrator) {
   if (f.sticky) with.emplace_back("surfaces that stick");
   if (f.hand) with.emplace_back("a hand that pulls");
   if (f.timed) with.emplace_back("forces that start, rise or end");
+  if (f.off_centre) with.emplace_back("forces beside a centre");
   return fmt::format("{}", fmt::join(with, " and "));
 }
 

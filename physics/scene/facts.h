@@ -23,13 +23,15 @@ struct SceneFacts {
   bool sticks = false;        // two bodies that can collide would stay joined
   bool sticky = false;        // some surface sticks, whether or not a body has it
   bool springs = false;
+  bool turning_springs = false;              // a spring pulls beside a centre
   bool one_sided = false;                    // a spring pushes or pulls only
   std::set<std::string_view> common_forces;  // the kinds of those that a scene has once and that act
   bool joints = false;
   bool strings = false;
   bool turning_joints = false;  // joints can turn bodies
   bool pushes = false;          // applied forces
-  bool torques = false;         // applied torques
+  bool torques = false;         // applied torques, or forces beside a centre
+  bool off_centre = false;      // applied forces beside a centre
   bool timed = false;           // applied forces that start, rise or end
   bool hand = false;            // a hand pulls
 };

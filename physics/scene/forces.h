@@ -28,31 +28,31 @@ inline constexpr auto kSpringActsNames = std::to_array<Named<SpringActs>>({
     {SpringActs::kWhileShort, "while-short"},
 });
 
-// A linear spring with a damper, from a body's centre to another body's centre or to a point of the plane. It
-// exerts -k s - c s' on the body, along the line from the other end to it, and the opposite on the other
-// body.
+// A linear spring with a damper, from a point of a body to a point of another body or of the plane. It exerts
+// -k s - c s' on the body, along the line from the other end to it, and the opposite on the other body.
 struct Spring {
   std::string name;            // may be empty
   std::string body;            // a body that moves
-  std::string to;              // the body at the other end; empty: the point `anchor`
-  Vec2 anchor = Vec2::Zero();  // m
+  std::string to;              // the body at the other end; empty: the plane
+  Vec2 anchor = Vec2::Zero();  // m, from that body's centre along its own axes, or a point of the plane
   double stiffness = 1.0;      // N/m, > 0
   double damping = 0.0;        // N s/m, >= 0
   double rest_length = 0.0;    // m, >= 0
   SpringActs acts = SpringActs::kBoth;
   Id<Spring> id{};
+  Vec2 point = Vec2::Zero();  // m, of `body`, from its centre along its own axes
 };
 
 template <class V>
 void fields(V& v, Is<Spring> auto& s) {
   v.field({"name", "its own, if any"}, s.name, kPerhapsNameLength);
   v.required({"body", "the name of the body that it acts on"}, s.body, kNameLength);
-  v.together({KeysTogether::Rule::kExactlyOne, "to", "anchor", "a spring without its other end",
-              "\"anchor\" beside \"to\"", "either \"anchor\": [x, y], in m, or \"to\": the name of a body"});
+  v.field({"point", "of it, along its own axes, [x, y]"}, s.point, any_number("m"));
+  v.together({KeysTogether::Rule::kOneOrBoth, "to", "anchor", "a spring without its other end", "",
+              "\"anchor\": [x, y], a point of the plane in m, or \"to\": the name of a body"});
   if (v.shows(!s.to.empty())) v.field({"to", "the body at the other end"}, s.to, kNameLength);
-  if (v.shows(s.to.empty()))
-    v.field({"anchor", "the point of the plane at the other end, [x, y]"}, s.anchor, any_number("m"));
-  v.keep({"anchor"});
+  v.field({"anchor", "the point of that body, or of the plane, [x, y]"}, s.anchor, any_number("m"));
+  if (s.to.empty()) v.keep({"anchor"});
   v.required({"stiffness", "force over stretch"}, s.stiffness, positive("N/m"));
   v.field({"damping", "force over the stretch's speed"}, s.damping, from_zero("N s/m"));
   v.field({"rest_length", "of the spring that pulls at nothing"}, s.rest_length, from_zero("m"));
@@ -82,12 +82,15 @@ struct AppliedForce {
   double rise = 0.0;          // s, >= 0; 0: all at once
   std::optional<double> end;  // s, >= start; none: never
   Id<AppliedForce> id{};
+  Vec2 point = Vec2::Zero();  // m, of the body, from its centre along its own axes
 };
 
 template <class V>
 void fields(V& v, Is<AppliedForce> auto& f) {
   v.required({"body", "the name of the body that it acts on"}, f.body, kNameLength);
-  v.field({"force", "at the body's centre, [x, y]"}, f.force, any_number("N"));
+  v.field({"point", "where the force acts, from the body's centre along its own axes, [x, y]"}, f.point,
+          any_number("m"));
+  v.field({"force", "on the body, [x, y]"}, f.force, any_number("N"));
   v.field({"torque", "counter-clockwise"}, f.torque, any_number("N m"));
   v.field({"start", "when it sets in"}, f.start, from_zero("s"));
   v.field({"rise", "within which it grows to all of it"}, f.rise, from_zero("s"));

@@ -19,7 +19,7 @@ import sys
 from pathlib import Path
 
 import numpy
-from mpmath import mp, mpf, inf, pi, sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, ceil, floor, nstr, expm, matrix
+from mpmath import mp, mpf, inf, pi, sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, ceil, floor, nstr, expm, matrix, ellipk, odefun
 
 mp.dps = 50
 PRESETS = Path(__file__).resolve().parents[2] / "presets"
@@ -359,6 +359,40 @@ def spring_bumpers():
     r.value("row 4: v of the target", (1 + p.e("hard rubber")) * m1 * u / (m1 + m2), results[2][1][1], mpf("1e-15"))
     r.value("lost to dampers", mu * u * u / 2 * (2 - e2**2 - e3**2))
     r.value("momentum", 4 * m1 * u)
+    return r
+
+
+def bar_between_springs():
+    r = Report("bar-between-springs")
+    p = r.preset
+    energy = mpf(0)
+    for name in ("narrow", "wide"):
+        bar, spring = p.body(name), p.force(f"{name}, right")
+        k, arm = number(spring["stiffness"]), number(spring["point"])[0]
+        anchor = number(spring["anchor"])[0]
+        inertia = bar.m * (bar.width**2 + bar.height**2) / 12
+        omega = sqrt(2 * k * arm * anchor / inertia)
+        period = 4 / omega * ellipk(sin(bar.angle / 2) ** 2)
+
+        def rates(_, y):
+            """Of angle and spin, by the torques of the two springs."""
+            torque = mpf(0)
+            for side in (1, -1):
+                at = side * arm * cos(y[0]), side * arm * sin(y[0])
+                pull = k * (side * anchor - at[0]), -k * at[1]
+                torque += at[0] * pull[1] - at[1] * pull[0]
+            return [y[1], torque / inertia]
+
+        within = mpf("1e-15")
+        with mp.workdps(18):
+            swing = odefun(rates, 0, [bar.angle, mpf(0)])
+            quarter, whole = swing(period / 4), swing(period)
+        r.value(f"{name}: angle after T/4", mpf(0), quarter[0], within)
+        r.value(f"{name}: spin after T/4", -2 * omega * sin(bar.angle / 2), quarter[1], within)
+        r.value(f"{name}: angle after T", bar.angle, whole[0], within)
+        energy += k * (arm**2 + anchor**2 - 2 * arm * anchor * cos(bar.angle))
+    r.value("distance of the centres", abs(p.body("narrow").y - p.body("wide").y))
+    r.value("energy", energy)
     return r
 
 
@@ -1081,6 +1115,7 @@ EXPERIMENTS = {
     "heavy-on-light": heavy_on_light,
     "rough-bounce": rough_bounce,
     "spring-bumpers": spring_bumpers,
+    "bar-between-springs": bar_between_springs,
     "moving-piston": moving_piston,
     "vibrating-table": vibrating_table,
     "gas": gas,

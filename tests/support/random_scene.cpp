@@ -196,6 +196,23 @@ void add_forces(Draws& dice, double unit, const std::vector<std::string>& discs,
   }
 }
 
+// Some springs and forces act beside a centre; by draws of their own, so that all else of a seed stays.
+void move_points(std::uint64_t seed, Scene& scene) {
+  Draws dice(~seed);
+  if (!dice.chance(0.4)) return;
+  const auto point_of = [&](const std::string& name) {
+    for (const Body& body : scene.bodies) {
+      if (body.name == name && dice.chance(0.5)) return dice.in_square(0.5 * bounding_radius(body.shape));
+    }
+    return Vec2(Vec2::Zero());
+  };
+  for (Spring& spring : scene.forces.springs) {
+    spring.point = point_of(spring.body);
+    if (!spring.to.empty()) spring.anchor = point_of(spring.to);
+  }
+  for (AppliedForce& force : scene.forces.applied) force.point = point_of(force.body);
+}
+
 RandomScene random_scene_of(std::uint64_t seed, bool compounds) {
   Draws dice(seed);
   RandomScene random;
@@ -217,6 +234,7 @@ RandomScene random_scene_of(std::uint64_t seed, bool compounds) {
   const bool may_overlap = dice.chance(0.05);
   const std::vector<std::string> discs = add_bodies(dice, unit, may_overlap, compounds, random);
   add_forces(dice, unit, discs, random.cornered, s);
+  move_points(seed, s.scene);
   s.method.step = dice.chance(0.5) ? 1.0 / 120.0 : dice.between(1.0 / 480.0, 1.0 / 30.0);
   s.method.tolerance = 1e-8 * unit;
   s.duration = 1.0;

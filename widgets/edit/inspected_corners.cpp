@@ -20,7 +20,7 @@ constexpr std::size_t kFewestRounded = 2;
 
 // Where the polygon is.
 struct Origin {
-  std::vector<Joint> joints;
+  Attached attached;
   Body body;
   std::optional<std::size_t> shape;  // of a compound
 
@@ -58,7 +58,7 @@ SceneEdits with_corners(const Origin& origin, const Corners& corners) {
   const auto reshaped = [&](const Shape& shape) {
     Body changed = origin.body;
     changed.shape = shape;
-    return valid ? reshaping(origin.joints, origin.body, changed) : SceneEdits{Replace<Body>{changed}};
+    return valid ? reshaping(origin.attached, origin.body, changed) : SceneEdits{Replace<Body>{changed}};
   };
   if (!origin.shape) return reshaped(polygon);
   Compound compound = std::get<Compound>(origin.body.shape);
@@ -141,7 +141,7 @@ InspectedAction removal(const Origin& origin, std::size_t corner) {
 std::vector<InspectedRow> inspected_corners(const Scene& scene, const Body& body,
                                             std::optional<std::size_t> shape,
                                             const std::set<QString>& unfolded) {
-  const auto origin = std::make_shared<const Origin>(Origin{scene.joints, body, shape});
+  const auto origin = std::make_shared<const Origin>(Origin{attached_in(scene), body, shape});
   if (origin->polygon() == nullptr) return {};
   const std::size_t count = origin->polygon()->vertices.size();
   std::vector<InspectedRow> shown;

@@ -16,15 +16,17 @@ constexpr std::size_t kMostListed = 50;
 struct PartLine {
   const char* label;
   const char* key;  // as its fields have it
-  bool vector = false;
+  bool is_end = false;
 };
 constexpr auto kPartLines = std::to_array<PartLine>({
+    {"Point", "point", true},
+    {"Anchor", "anchor", true},
     {"Length", "length"},
     {"Angle", "angle"},
     {"Rest length", "rest_length"},
     {"Stiffness", "stiffness"},
     {"Damping", "damping"},
-    {"Force", "force", true},
+    {"Force", "force"},
     {"Torque", "torque"},
     {"From", "start"},
     {"Rise", "rise"},
@@ -93,11 +95,12 @@ QString ends_of(const Joint& joint) {
   return "from " + end_text(joint.body, joint.point) + " to " + end_text(joint.to, joint.anchor);
 }
 QString ends_of(const Spring& spring) {
-  const Vec2 centre = Vec2::Zero();
-  return "from " + end_text(spring.body, centre) + " to " +
-         end_text(spring.to, spring.to.empty() ? spring.anchor : centre);
+  return "from " + end_text(spring.body, spring.point) + " to " + end_text(spring.to, spring.anchor);
 }
-QString ends_of(const AppliedForce& force) { return "at the centre of " + text_of(force.body); }
+QString ends_of(const AppliedForce& force) {
+  if (force.point.isZero(0.0)) return "at the centre of " + text_of(force.body);
+  return "at " + point_text(force.point) + " of " + text_of(force.body);
+}
 
 // What holds while an optional number is not given.
 struct Unset {
@@ -224,6 +227,8 @@ InspectedPart shown_part(const Scene& scene, const Part& part) {
   shown.rows.push_back({.label = "Ends", .text = ends_of(part)});
   const std::vector<FieldRow> rows = field_rows(part);
   for (const PartLine& line : kPartLines) {
+    // The ends of a joint are dragged: its length, or what it holds, goes with them.
+    if (std::is_same_v<Part, Joint> && line.is_end) continue;
     InspectedRow shown_row{.label = QString::fromUtf8(line.label)};
     for (const FieldRow& row : rows) {
       if (row.place.key == line.key) shown_row.values.push_back(part_value(scene, part, line, row));

@@ -47,8 +47,8 @@ Inspected inspected_number(const Scene& scene, const Body& body, std::size_t sha
   value.meaning = row.meaning;
   value.range = row.range;
   value.values = {std::get<double>(row.value)};
-  value.edits = [joints = scene.joints, body, place = row.place](const std::vector<double>& values) {
-    return reshaping(joints, body, with_field(body, place, values[0]));
+  value.edits = [attached = attached_in(scene), body, place = row.place](const std::vector<double>& values) {
+    return reshaping(attached, body, with_field(body, place, values[0]));
   };
   const QString whose = value.subject + " of " + QString::fromStdString(body.name);
   value.undo_name = [line, whose, name = value.name, unit = row.range.unit](const std::vector<double>& before,

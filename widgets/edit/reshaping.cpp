@@ -34,19 +34,30 @@ Vec2 centre_of(const Polygon& polygon) {
   return moments_of(tidied(polygon.vertices), polygon.rounding).centroid;
 }
 
-SceneEdits reshaping(const std::vector<Joint>& joints, const Body& body, Body changed) {
+SceneEdits reshaping(const Attached& attached, const Body& body, Body changed) {
   const Vec2 moved = written_centre(changed.shape) - written_centre(body.shape);
   const Vec2 shift = turned_by(body.angle, moved);
   changed.position += shift;
   changed.velocity += body.spin * crossed(shift);
   SceneEdits edits{Replace<Body>{std::move(changed)}};
   if (moved.isZero(0.0)) return edits;
-  for (Joint joint : joints) {
+  for (Joint joint : attached.joints) {
     const bool own = joint.body == body.name;
     if (!own && joint.to != body.name) continue;
     if (joint.id.number == 0) continue;  // a run has made it
     (own ? joint.point : joint.anchor) -= moved;
     edits.emplace_back(Replace<Joint>{joint});
+  }
+  for (Spring spring : attached.springs) {
+    Vec2* end = spring.body == body.name ? &spring.point : spring.to == body.name ? &spring.anchor : nullptr;
+    if (end == nullptr || end->isZero(0.0)) continue;
+    *end -= moved;
+    edits.emplace_back(Replace<Spring>{spring});
+  }
+  for (AppliedForce force : attached.applied) {
+    if (force.body != body.name || force.point.isZero(0.0)) continue;
+    force.point -= moved;
+    edits.emplace_back(Replace<AppliedForce>{force});
   }
   return edits;
 }

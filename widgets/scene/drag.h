@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "physics/scene/edit.h"
 #include "physics/scene/scene.h"
 #include "widgets/scene/handles.h"
 #include "widgets/scene/joint_hold.h"
@@ -23,6 +24,7 @@ struct DragStart {
   std::vector<Body> followers{};  // that joints make one with them, and that are none of the others
   std::vector<Joint> joints{};    // of the scene
   std::size_t corner{};           // of kCorner, among the polygon's vertices
+  Forces forces{};                // of the scene, of kCorner
   WorldRect seen{};               // m: what is snapped to is in here
 };
 
@@ -53,6 +55,7 @@ struct Dragged {
   std::vector<std::pair<Vec2, Vec2>> refused{};    // m, edges that the body can\'t have
   std::vector<Joint> joints{};                     // that hold the bodies
   bool refits = false;                             // some of them are changed
+  SceneEdits forces{};                             // of springs and forces, whose ends stay in their places
 };
 
 [[nodiscard]] Dragged drag_to(const DragStart& start, const DragPoint& point);

@@ -324,6 +324,7 @@ SceneEdits edits_of(const Dragged& change, bool joints) {
   for (const Joint& joint : change.joints) {
     if (joints && joint.id.number != 0) edits.emplace_back(Replace<Joint>{joint});
   }
+  edits.insert(edits.end(), change.forces.begin(), change.forces.end());
   return edits;
 }
 

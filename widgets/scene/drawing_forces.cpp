@@ -58,11 +58,17 @@ class Names {
 
 const Body& body_of(const DrawingInput& in, int i) { return (*in.frame.bodies)[static_cast<std::size_t>(i)]; }
 
-// m from a body's centre to its rim, along the unit vector `along`.
-double rim(const DrawingInput& in, int i, const Vec2& along) {
+// m from a point of a body, in its own axes, to where the unit vector `along` leaves the body.
+double rim(const DrawingInput& in, int i, const Vec2& point, const Vec2& along) {
   const Vec2 own = Eigen::Rotation2Dd(-in.frame.state.q(2, i)) * along;
-  const auto inside = chord(outline_of(body_of(in, i).shape), Vec2::Zero(), own);
-  return inside ? inside->second : 0.0;
+  const auto inside = chord(outline_of(body_of(in, i).shape), point, own);
+  return inside ? std::max(inside->second, 0.0) : 0.0;
+}
+
+// m: where a point of a body is; a point of the plane if there is no body.
+Vec2 place_of(const DrawingInput& in, int body, const Vec2& point) {
+  if (body < 0 || point.isZero(0.0)) return body < 0 ? point : in.frame.state.position(body);
+  return in.frame.state.position(body) + turned_by(in.frame.state.q(2, body), point);
 }
 
 // Lines of one style, in world metres.
@@ -96,8 +102,8 @@ class Pen {
 };
 
 void add_spring(const DrawingInput& in, const Spring& spring, int body, int other, Drawing& out) {
-  const Vec2 end = in.frame.state.position(body);
-  const Vec2 start = other >= 0 ? in.frame.state.position(other) : spring.anchor;
+  const Vec2 end = place_of(in, body, spring.point);
+  const Vec2 start = place_of(in, other, spring.anchor);
   const double length = (end - start).norm();
   const bool short_only = spring.acts == SpringActs::kPush || spring.acts == SpringActs::kWhileShort;
   const bool idle = (short_only && length >= spring.rest_length) ||
@@ -106,13 +112,18 @@ void add_spring(const DrawingInput& in, const Spring& spring, int body, int othe
   const QColor color = blend(in.theme.text, in.theme.scene_ground, idle ? 0.6 : 0.25);
   Pen pen(out.lines, color, (idle ? kIdleWidth : kSpringWidth) * thick);
   if (other < 0) pen.dot(start, kAnchorDot * thick);
+  Pen on_body(out.segments, color, kSpringWidth * thick);
+  if (!spring.point.isZero(0.0)) on_body.dot(end, kAnchorDot * thick);
+  if (other >= 0 && !spring.anchor.isZero(0.0)) on_body.dot(start, kAnchorDot * thick);
   if (!(length > 0.0)) return;
 
   const double pixel = 1.0 / in.camera.scale;
   const Vec2 along = (end - start) / length;
-  const Vec2 from = other >= 0 ? Vec2(start + along * std::min(rim(in, other, along), length)) : start;
+  const Vec2 from =
+      other >= 0 ? Vec2(start + along * std::min(rim(in, other, spring.anchor, along), length)) : start;
   // A bumper ends where the body's rim is when it starts to push.
-  const double reach = (short_only ? std::min(length, spring.rest_length) : length) - rim(in, body, -along);
+  const double reach =
+      (short_only ? std::min(length, spring.rest_length) : length) - rim(in, body, spring.point, -along);
   const Vec2 to = start + along * std::max(reach, (from - start).norm());
   const double visible = (to - from).norm();
   if (spring.acts == SpringActs::kPull || visible < kLeastZigzag * thick * pixel) {
@@ -253,8 +264,8 @@ void add_springs(const DrawingInput& in, const WorldRect& seen, Drawing& out) {
     const int body = names[spring.body];
     const int other = spring.to.empty() ? -1 : names[spring.to];
     if (body < 0 || (other < 0 && !spring.to.empty())) continue;
-    const Vec2 a = in.frame.state.position(body);
-    const Vec2 b = other >= 0 ? in.frame.state.position(other) : spring.anchor;
+    const Vec2 a = place_of(in, body, spring.point);
+    const Vec2 b = place_of(in, other, spring.anchor);
     const double slack = (kAmplitude + kPlate) * in.options.line_scale / in.camera.scale;
     if (seen.meets((a + b) / 2, (a - b).norm() / 2 + slack)) add_spring(in, spring, body, other, out);
   }
@@ -279,7 +290,7 @@ void add_applied_forces(const DrawingInput& in, const WorldRect& seen, Drawing& 
     const int i = names[applied.body];
     const double share = share_at(applied, in.frame.time);
     if (i < 0 || !(share > 0.0)) continue;
-    const Vec2 at = in.frame.state.position(i);
+    const Vec2 at = place_of(in, i, applied.point);
     const Vec2 force = share * applied.force;
     const Vec2 arrow = force * in.arrows.metres_per_newton;
     const double reach = arrow.norm() + 2 * bounding_radius(body_of(in, i).shape);

@@ -76,6 +76,7 @@ Joined push(const JointTool& /*tool*/, const JointSight& sight, const LinkEnds& 
   out.value = force_text(force, step, free);
   AppliedForce applied;
   applied.body = body->name;
+  applied.point = ends[0].own;
   applied.force = force;
   out.edits = {Add<AppliedForce>{applied}};
   return out;

@@ -96,16 +96,6 @@ bool is_balanced(std::span<const Body> bodies) {
   return (homogeneous_centre(bodies) - centre).norm() <= kSame * size;
 }
 
-template <class Part>
-bool any_at(const std::vector<Part>& list, const std::string& name) {
-  return std::any_of(list.begin(), list.end(), [&](const Part& part) {
-    if constexpr (requires { part.to; }) {
-      if (part.to == name) return true;
-    }
-    return part.body == name;
-  });
-}
-
 // Why these can't be one body, in one sentence.
 QString fault_of_kinds(std::span<const Body> bodies) {
   const Body& first = bodies.front();
@@ -136,16 +126,6 @@ QString fault_of_masses(std::span<const Body> bodies) {
   return names_of(bodies) + QStringLiteral(" have no common centre of mass as one plate");
 }
 
-QString fault_of_holds(const Scene& scene, std::span<const Body> bodies) {
-  for (const Body& body : bodies) {
-    const bool spring = any_at(scene.forces.springs, body.name);
-    if (!spring && !any_at(scene.forces.applied, body.name)) continue;
-    return QStringLiteral("A %1 acts at the centre of %2, which would move; remove it first")
-        .arg(spring ? QStringLiteral("spring") : QStringLiteral("force"), text_of(body.name));
-  }
-  return {};
-}
-
 std::vector<Body> named(const std::vector<Body>& bodies, std::span<const std::string> names) {
   std::vector<Body> found;
   for (const std::string& name : names) {
@@ -155,7 +135,8 @@ std::vector<Body> named(const std::vector<Body>& bodies, std::span<const std::st
   return found;
 }
 
-// One end of a joint: the body, the point in its frame, and by how much its angle becomes another one.
+// One end of a joint, spring or force: the body, the point in its frame, and by how much its angle becomes
+// another one.
 struct End {
   std::string& body;
   Vec2& point;
@@ -188,6 +169,27 @@ void move_joints(const Scene& scene, std::span<const Body> bodies, const Body& w
     }
     if (moved.angle) *moved.angle += own.turn - other.turn;
     if (moved.body == whole.name || moved.to == whole.name) edits.emplace_back(Replace<Joint>{moved});
+  }
+}
+
+void move_forces(const Forces& forces, std::span<const Body> bodies, const Body& whole, SceneEdits& edits) {
+  for (const Spring& spring : forces.springs) {
+    Spring moved = spring;
+    End own{moved.body, moved.point};
+    End other{moved.to, moved.anchor};
+    move_end(own, bodies, whole);
+    move_end(other, bodies, whole);
+    if (moved.body == moved.to) {
+      edits.emplace_back(Remove<Spring>{spring.id});
+    } else if (moved.body == whole.name || moved.to == whole.name) {
+      edits.emplace_back(Replace<Spring>{moved});
+    }
+  }
+  for (const AppliedForce& force : forces.applied) {
+    AppliedForce moved = force;
+    End end{moved.body, moved.point};
+    move_end(end, bodies, whole);
+    if (moved.body == whole.name) edits.emplace_back(Replace<AppliedForce>{moved});
   }
 }
 
@@ -264,7 +266,6 @@ Regrouping joining(const Scene& scene, std::span<const std::string> names) {
     out.refusal = fault_of_kinds(bodies);
   }
   if (out.refusal.isEmpty()) out.refusal = fault_of_masses(bodies);
-  if (out.refusal.isEmpty()) out.refusal = fault_of_holds(scene, bodies);
   if (!out.refusal.isEmpty()) return out;
   const Body whole = joined(bodies);
   if (std::get<Compound>(whole.shape).shapes.size() > kMostShapes) {
@@ -273,6 +274,7 @@ Regrouping joining(const Scene& scene, std::span<const std::string> names) {
   }
   out.edits.emplace_back(Replace<Body>{whole});
   move_joints(scene, bodies, whole, out.edits);
+  move_forces(scene.forces, bodies, whole, out.edits);
   for (const Body& body : std::span(bodies).subspan(1)) out.edits.emplace_back(Remove<Body>{body.id});
   const bool held = std::any_of(out.edits.begin(), out.edits.end(), [](const SceneEdit& edit) {
     return std::holds_alternative<Replace<Joint>>(edit);

@@ -28,8 +28,8 @@ struct Regrouping {
   QString refusal;                  // why it can't be, in one sentence; nothing is edited then
 };
 
-// Joints between the bodies go; others hold the joined body at the same place, and take out what they forbid of
-// the velocities.
+// Joints and springs between the bodies go; others, and forces, hold the joined body at the same place, and
+// joints take out what they forbid of the velocities.
 [[nodiscard]] Regrouping joining(const Scene& scene, std::span<const std::string> names);
 
 // All that holds or pushes the body goes.

@@ -159,8 +159,9 @@ Joined spring(const JointTool& tool, const JointSight& sight, const LinkEnds& en
   Spring spring;
   spring.name = free_name(*sight.frame, tool.noun);
   spring.body = link.ends[0].body;
+  spring.point = link.ends[0].own;
   spring.to = link.ends[1].body;
-  if (spring.to.empty()) spring.anchor = link.ends[1].own;
+  spring.anchor = link.ends[1].own;
   spring.stiffness = with_one_figure(mass * omega * omega);
   spring.rest_length = line.norm();
   return link.made(Add<Spring>{spring});
@@ -223,7 +224,7 @@ Joined weld(const JointTool& tool, const JointSight& sight, const LinkEnds& ends
 constexpr std::array<JointTool, 7> kJointTools = {{
     {.tool = SceneTool::kRod, .noun = "rod", .join = rod},
     {.tool = SceneTool::kString, .noun = "string", .join = string},
-    {.tool = SceneTool::kSpring, .noun = "spring", .at_centres = true, .join = spring},
+    {.tool = SceneTool::kSpring, .noun = "spring", .join = spring},
     {.tool = SceneTool::kPin, .noun = "pin", .one_click = true, .join = pin},
     {.tool = SceneTool::kWeld, .noun = "weld", .at_centres = true, .join = weld},
     {.tool = SceneTool::kForce, .noun = "force", .at_centres = true, .to_mouse = true, .join = push},

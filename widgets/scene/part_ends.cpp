@@ -20,8 +20,7 @@ LinkEnds ends_of(const Joint& joint) {
 }
 
 LinkEnds ends_of(const Spring& spring) {
-  const Vec2 own = spring.to.empty() ? spring.anchor : Vec2(Vec2::Zero());
-  return {LinkEnd{spring.body, Vec2::Zero()}, LinkEnd{spring.to, own}};
+  return {LinkEnd{spring.body, spring.point}, LinkEnd{spring.to, spring.anchor}};
 }
 
 // What the tool that draws such parts makes of the ends.
@@ -66,17 +65,47 @@ Joined with_end(const JointSight& sight, const Spring& spring, std::size_t end) 
   const Spring made = std::get<Add<Spring>>(out.edits[0]).part;
   Spring moved = spring;
   moved.body = made.body;
+  moved.point = made.point;
   moved.to = made.to;
   moved.anchor = made.anchor;
   out.edits = {Replace<Spring>{moved}};
   return out;
 }
 
-Joined with_end(const JointSight& sight, const AppliedForce& force, std::size_t /*end*/) {
+// "at the centre of A", "at (0.10, 0.00) m of A"
+QString foot_text(const LinkEnd& foot, double scale) {
+  const QString body = QString::fromStdString(foot.body);
+  return foot.own.isZero(0.0) ? "at the centre of " + body
+                              : "at " + place_text(foot.own, scale) + " of " + body;
+}
+
+Joined with_foot(const JointSight& sight, const AppliedForce& force) {
+  JointTool anywhere = *joint_tool(SceneTool::kForce);
+  anywhere.at_centres = false;
+  const LinkEnd foot = end_at_mouse(anywhere, sight);
+  const std::optional<Body> body = body_at_end(*sight.frame, foot);
+  Joined out;
+  out.name = "Move the foot of " + name_of_part(force);
+  out.from = place_of(*sight.frame, foot);
+  out.to = out.from + sight.metres_per_newton * share_at(force, sight.frame->time) * force.force;
+  if (!body || has_infinite_mass(*body)) {
+    out.fault = QStringLiteral("a force acts on a body that moves");
+    return out;
+  }
+  AppliedForce moved = force;
+  moved.body = foot.body;
+  moved.point = foot.own;
+  out.value = foot_text(foot, sight.mouse.scale);
+  out.edits = {Replace<AppliedForce>{moved}};
+  return out;
+}
+
+Joined with_end(const JointSight& sight, const AppliedForce& force, std::size_t end) {
+  if (end == kFoot) return with_foot(sight, force);
   JointSight now = sight;
   now.metres_per_newton *= share_at(force, sight.frame->time);
   const JointTool& tool = *joint_tool(SceneTool::kForce);
-  Joined out = tool.join(tool, now, {LinkEnd{force.body, Vec2::Zero()}, LinkEnd{{}, sight.mouse.at}});
+  Joined out = tool.join(tool, now, {LinkEnd{force.body, force.point}, LinkEnd{{}, sight.mouse.at}});
   if (out.edits.empty()) return out;
   AppliedForce moved = force;
   moved.force = std::get<Add<AppliedForce>>(out.edits[0]).part.force;
@@ -93,9 +122,9 @@ std::optional<std::size_t> end_of_part_at(const Frame& frame, const Camera& came
   if (!line || line->from == line->to) return std::nullopt;
   const double to_body = QLineF(camera.to_screen(line->to), at).length();
   const double to_other = QLineF(camera.to_screen(line->from), at).length();
-  if (line->arrow) return to_body <= kHandleReach ? std::optional<std::size_t>(1) : std::nullopt;
   if (std::min(to_body, to_other) > kHandleReach) return std::nullopt;
-  return to_body <= to_other ? 0 : 1;
+  const bool first = to_body <= to_other;
+  return first != line->arrow ? 0 : 1;
 }
 
 EndDrag::EndDrag(const JointSight& began, const PartId& part, std::size_t end)
@@ -108,7 +137,7 @@ Joined EndDrag::to(const DragPoint& mouse) {
   const Scene& scene = *began_.frame->scene;
   JointSight sight = began_;
   sight.mouse = mouse;
-  if (line_.arrow) sight.mouse.at += line_.to - began_.mouse.at;
+  if (line_.arrow) sight.mouse.at += (end_ == kFoot ? line_.from : line_.to) - began_.mouse.at;
   const auto move = [&](const auto& part) {
     Joined out = with_end(sight, part, end_);
     if (!out.fault.isEmpty()) out.edits = {Replace<std::decay_t<decltype(part)>>{part}};

@@ -10,8 +10,12 @@
 
 namespace carom {
 
+// Of a force: where it acts.
+inline constexpr std::size_t kFoot = 0;
+
 // The end of a part that the mouse reaches: of a rod, a string or a spring that on its `body`, 0, or the other
-// one, 1; of a force its tip, 1. None of a pin or a weld. `metres_per_newton` is the length of arrows.
+// one, 1; of a force its foot, 0, or its tip, 1. None of a pin or a weld. `metres_per_newton` is the length of
+// arrows.
 [[nodiscard]] std::optional<std::size_t> end_of_part_at(const Frame& frame, const Camera& camera,
                                                         const PartId& part, const QPointF& at,
                                                         double metres_per_newton);
@@ -24,8 +28,8 @@ class EndDrag {
   EndDrag(const JointSight& began, const PartId& part, std::size_t end);
 
   // The part with this end at the mouse, and what an earlier place of it has changed beside it as it was. A rod
-  // is as long as its ends are apart, a string at least; a spring keeps its rest length; the tip of a force
-  // keeps its distance from the mouse. Where it can't be, the edits put all back.
+  // is as long as its ends are apart, a string at least; a spring keeps its rest length; the ends of a
+  // force keep their distance from the mouse. Where it can't be, the edits put all back.
   [[nodiscard]] Joined to(const DragPoint& mouse);
 
   // The edits of an earlier place, once more.

@@ -24,14 +24,13 @@ std::optional<PartLine> line_of(const Frame& frame, const Joint& joint, double /
 }
 
 std::optional<PartLine> line_of(const Frame& frame, const Spring& spring, double /*metres_per_newton*/) {
-  const LinkEnd other{spring.to, spring.to.empty() ? spring.anchor : Vec2(Vec2::Zero())};
-  return PartLine{place_of(frame, other), place_of(frame, {spring.body, Vec2::Zero()})};
+  return PartLine{place_of(frame, {spring.to, spring.anchor}), place_of(frame, {spring.body, spring.point})};
 }
 
 std::optional<PartLine> line_of(const Frame& frame, const AppliedForce& force, double metres_per_newton) {
   const Vec2 arrow = metres_per_newton * share_at(force, frame.time) * force.force;
   if (arrow.isZero(0.0)) return std::nullopt;
-  const Vec2 from = place_of(frame, {force.body, Vec2::Zero()});
+  const Vec2 from = place_of(frame, {force.body, force.point});
   return PartLine{from, from + arrow, true};
 }
 

@@ -43,6 +43,8 @@ QString SceneTools::hint_of_mouse(const QPointF& at) const {
   if (state_ == State::kDrag) return snapping + tr("digits: type the value · Esc: back");
   if (state_ == State::kHand) return tr("let go: throw it");
   const bool force = part_ && std::holds_alternative<Id<AppliedForce>>(*part_);
+  if (state_ == State::kEnd && force && end_ == kFoot)
+    return tr("to where it acts · ") + snapping + tr("digits: type the place · Esc: back");
   if (state_ == State::kEnd)
     return force ? tr("Shift: one axis · ") + snapping + tr("digits: type the force · Esc: back")
                  : tr("to a body or a place · ") + snapping + tr("digits: type the length · Esc: back");
@@ -51,7 +53,10 @@ QString SceneTools::hint_of_mouse(const QPointF& at) const {
   // With a tool in hand a body is taken hold of as ever, where the tool leaves it alone.
   const std::optional<Grab> grab = grab_at(at);
   if (tool_ != SceneTool::kSelect && !grab) return {};
-  if (end_under(at) && sight.frame->scene)
+  const std::optional<std::size_t> end = end_under(at);
+  if (end && force && *end == kFoot && sight.frame->scene)
+    return tr("drag: where the force acts · double click: type the force");
+  if (end && sight.frame->scene)
     return force ? tr("drag: size and direction · Shift: one axis · double click: type it")
                  : tr("drag: to another body or place · double click: type the length");
   if (mark_under(at)) return tr("click: go to this impact");

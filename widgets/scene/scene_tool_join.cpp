@@ -159,7 +159,8 @@ void SceneTools::show_moved_end(Overlay& out) const {
   const bool fault = !moved_end_.fault.isEmpty();
   const bool arrow = end_drag_->line().arrow;
   const SceneSight sight = sight_();
-  const int body = arrow ? -1 : body_at(*sight.frame, sight.camera, mouse_);
+  const bool tip = arrow && end_drag_->end() != kFoot;
+  const int body = tip ? -1 : body_at(*sight.frame, sight.camera, mouse_);
   if (body >= 0) out.lit.push_back(body_now(*sight.frame, body));
   out.links.push_back({.from = end_drag_->line().from, .to = end_drag_->line().to, .was = true});
   out.links.push_back({.from = moved_end_.from, .to = moved_end_.to, .arrow = arrow, .fault = fault});

@@ -22,6 +22,7 @@ DragStart SceneTools::start_of(const Grab& grab, std::vector<Body> bodies) const
                   .grid = sight.grid ? grid_spacing(sight.camera) : 0.0,
                   .corner = grab.corner,
                   .seen = sight.camera.visible()};
+  if (grab.kind == HandleKind::kCorner) start.forces = sight.frame->scene->forces;
   Surroundings beside{{}, sight.frame->scene->joints};
   std::unordered_set<std::string> edited;
   for (const Body& body : start.bodies) edited.insert(body.name);

@@ -118,6 +118,36 @@ class TypedForce : public TypedThing {
   AppliedForce now_;
 };
 
+// Where a force acts, along the axes of its body.
+class TypedFoot : public TypedThing {
+ public:
+  TypedFoot(QString title, const SceneEdits& edits, QString name)
+      : title_(std::move(title)),
+        now_(std::get<Replace<AppliedForce>>(edits[0]).part),
+        name_(std::move(name)) {}
+
+  [[nodiscard]] QString subject() const override { return title_; }
+  [[nodiscard]] std::vector<TypedValue> values() const override {
+    return {{"x", any_number("m"), now_.point.x()}, {"y", any_number("m"), now_.point.y()}};
+  }
+  [[nodiscard]] TypedEdit set(std::size_t index, double value, bool /*yields*/) override {
+    now_.point[static_cast<Eigen::Index>(index)] = value;
+    return {{Replace<AppliedForce>{now_}},
+            name_,
+            "at (" + quantity_text(now_.point.x(), "m") + ", " + quantity_text(now_.point.y(), "m") + ")",
+            {},
+            {}};
+  }
+  [[nodiscard]] std::unique_ptr<TypedThing> clone() const override {
+    return std::make_unique<TypedFoot>(*this);
+  }
+
+ private:
+  QString title_;
+  AppliedForce now_;
+  QString name_;
+};
+
 std::unique_ptr<TypedThing> typed_length(const Scene& scene, const PartId& part) {
   const auto shown = inspected_part(scene, part);
   if (!shown) return nullptr;
@@ -147,8 +177,12 @@ std::unique_ptr<TypedThing> typed_part(const Scene& scene, const PartId& part) {
 
 std::unique_ptr<TypedThing> typed_end(const std::shared_ptr<EndDrag>& drag, const DragPoint& mouse) {
   const Scene& scene = *drag->began().frame->scene;
-  if (const auto* id = std::get_if<Id<AppliedForce>>(&drag->part()))
-    return typed_force(scene, *id, drag->to(mouse).edits);
+  if (const auto* id = std::get_if<Id<AppliedForce>>(&drag->part())) {
+    const Joined moved = drag->to(mouse);
+    if (drag->end() == kFoot)
+      return std::make_unique<TypedFoot>(title_of(scene, drag->part()), moved.edits, moved.name);
+    return typed_force(scene, *id, moved.edits);
+  }
   const Vec2 other = drag->end() == 0 ? drag->line().from : drag->line().to;
   if (mouse.at == other) return nullptr;
   return std::make_unique<TypedEnd>(drag, mouse, other);

@@ -137,9 +137,10 @@ constexpr const char* kEveryKey = R"({
     {"type": "attraction", "constant": 1, "softening": 2},
     {"type": "quadratic_drag", "coefficient": 0.5},
     {"type": "spring", "body": "b", "anchor": [1, 2], "stiffness": 7, "acts": "push"},
-    {"type": "spring", "body": "b", "to": "a", "stiffness": 8, "acts": "pull"},
+    {"type": "spring", "body": "b", "point": [0.1, 0.2], "to": "a", "anchor": [0.3, 0.4], "stiffness": 8,
+     "acts": "pull"},
     {"type": "linear_drag", "coefficient": 0.25},
-    {"type": "force", "body": "b"}],
+    {"type": "force", "body": "b", "point": [-0.1, 0.5]}],
   "generators": [{"type": "grid", "name": "g", "columns": 2, "rows": 3, "origin": [20, 20], "spacing": [3, 4],
                   "jitter": 0.5, "radius": [0.1, 0.2], "speed": 1, "density": 2, "material": "m", "seed": 7}],
   "links": [
@@ -207,6 +208,8 @@ void expect_every_key(const Preset& s) {
   EXPECT_EQ(f.springs[0].rest_length, 3);
   EXPECT_EQ(f.springs[0].acts, SpringActs::kWhileShort);
   EXPECT_EQ(f.springs[1].anchor, Vec2(1, 2));
+  EXPECT_EQ(f.springs[2].point, Vec2(0.1, 0.2));
+  EXPECT_EQ(f.springs[2].anchor, Vec2(0.3, 0.4));
   EXPECT_EQ(f.springs[1].acts, SpringActs::kPush);
   EXPECT_EQ(f.springs[2].acts, SpringActs::kPull);
   ASSERT_EQ(f.applied.size(), 2U);
@@ -215,6 +218,7 @@ void expect_every_key(const Preset& s) {
   EXPECT_EQ(f.applied[0].start, 4);
   EXPECT_EQ(f.applied[0].rise, 5);
   EXPECT_EQ(f.applied[0].end, 6);
+  EXPECT_EQ(f.applied[1].point, Vec2(-0.1, 0.5));
   EXPECT_EQ(f.applied[1].end, std::nullopt);
 
   ASSERT_EQ(s.scene.joints.size(), 4U);

@@ -65,6 +65,29 @@ TEST(CornerDragTest, TheEndsOfJointsStayInTheScene) {
   EXPECT_TRUE((moved.bodies[0].position + moved.joints[0].point).isApprox(Vec2(3.2, 1.1), 1e-12));
 }
 
+// What pulls beside the centre stays at its place of the outline, also when the corner comes back.
+TEST(CornerDragTest, SpringsAndForcesStayWhereTheyAre) {
+  DragStart start = start_of_corner(1, Vec2(3.9, 0.7));
+  Spring spring;
+  spring.body = "T";
+  spring.point = Vec2(-0.1, 0.1);
+  Spring at_centre;
+  at_centre.body = "T";
+  AppliedForce force;
+  force.body = "T";
+  force.point = Vec2(0.2, -0.3);
+  start.forces.springs = {spring, at_centre};
+  start.forces.applied = {force};
+  const Dragged moved = drag(start, Vec2(4.2, 0.7));
+  ASSERT_EQ(moved.forces.size(), 2U);
+  const Vec2 centre = moved.bodies[0].position;
+  EXPECT_TRUE((centre + std::get<Replace<Spring>>(moved.forces[0]).part.point).isApprox(Vec2(3.2, 1.1), 1e-12));
+  EXPECT_TRUE(
+      (centre + std::get<Replace<AppliedForce>>(moved.forces[1]).part.point).isApprox(Vec2(3.5, 0.7), 1e-12));
+  const Dragged back = drag(start, Vec2(3.9, 0.7));
+  EXPECT_TRUE((std::get<Replace<Spring>>(back.forces.at(0)).part.point - spring.point).norm() < 1e-12);
+}
+
 TEST(CornerDragTest, EdgesThatCantBeAreRefused) {
   DragStart start = start_of_corner(1, Vec2(3.9, 0.7));
   start.bodies[0].shape = Polygon{{Vec2(0.0, 0.0), Vec2(0.9, 0.0), Vec2(0.9, 0.9), Vec2(0.0, 0.9)}};

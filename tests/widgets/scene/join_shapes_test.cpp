@@ -284,17 +284,45 @@ TEST_F(JoiningTest, SaysWhyBodiesCantBeOne) {
   EXPECT_EQ(refusal({"C", "D"}), "C and D are driven differently");
 }
 
-TEST_F(JoiningTest, WhatActsAtACentreComesFirst) {
-  Spring& spring = scene_.forces.springs.emplace_back();
-  spring.body = "A";
-  spring.to = "C";
-  EXPECT_EQ(refusal({"B", "C"}), "A spring acts at the centre of C, which would move; remove it first");
-  scene_.forces.applied.emplace_back().body = "B";
-  EXPECT_EQ(refusal({"B", "D"}), "A force acts at the centre of B, which would move; remove it first");
+TEST_F(JoiningTest, WhatIsThinOrAPointSharesNoDensity) {
   scene_.bodies[3].mass = 1.0;
   scene_.bodies[3].density.reset();
   scene_.bodies[3].shape = Wall{1.0};
   EXPECT_EQ(refusal({"A", "D"}), "A and D can't share one density: what is thin or a point has no area");
+}
+
+// In the scene they stay where they are; a spring between the joined bodies goes.
+TEST_F(JoiningTest, SpringsAndForcesHoldOnAtTheSamePlace) {
+  Spring held;
+  held.body = "A";
+  held.to = "C";
+  Spring within;
+  within.body = "A";
+  within.to = "B";
+  scene_.forces.springs = {held, within};
+  AppliedForce force;
+  force.body = "B";
+  force.point = Vec2(0.05, 0.02);
+  force.force = Vec2(1.0, 2.0);
+  scene_.forces.applied = {force};
+  give_ids(scene_);
+  const auto place = [](const Scene& scene, const std::string& name, const Vec2& point) {
+    for (const Body& body : scene.bodies) {
+      if (body.name == name) return Vec2(body.position + turned_by(body.angle, point));
+    }
+    return Vec2(Vec2::Constant(NAN));
+  };
+  const Scene now = after(joining(scene_, std::vector<std::string>{"A", "B"}));
+  ASSERT_EQ(now.forces.springs.size(), 1U);
+  const Spring& spring = now.forces.springs[0];
+  EXPECT_EQ(spring.body, "A");
+  EXPECT_EQ(spring.to, "C");
+  EXPECT_TRUE(spring.anchor.isZero(0.0));
+  EXPECT_TRUE(place(now, "A", spring.point).isApprox(place(scene_, "A", Vec2::Zero()), 1e-12));
+  const AppliedForce& moved = now.forces.applied.at(0);
+  EXPECT_EQ(moved.body, "A");
+  EXPECT_EQ(moved.force, Vec2(1.0, 2.0));
+  EXPECT_TRUE(place(now, "A", moved.point).isApprox(place(scene_, "B", force.point), 1e-12));
 }
 
 TEST_F(JoiningTest, TakingApartGivesNewNamesAndTakesJointsAlong) {

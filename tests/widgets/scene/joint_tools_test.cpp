@@ -139,13 +139,15 @@ TEST_F(JointToolsTest, AnEndHoldsAnyPointOfABodyAlongItsAxes) {
   EXPECT_TRUE(near(added<Joint>().anchor, {0.0, 0.0}));
 }
 
-TEST_F(JointToolsTest, ASpringJoinsCentresAndIsRelaxed) {
+TEST_F(JointToolsTest, ASpringJoinsPointsOfBodiesAndIsRelaxed) {
   body("A").mass = 2.0;
   body("B").mass = 1.0;
   show(true);
   view_.set_tool(SceneTool::kSpring, true);
-  drag(a_, QPoint(410, 190));
+  drag(QPoint(205, 205), QPoint(410, 195));  // near the centres
   EXPECT_EQ(told_.back().name, "Add spring from A to B");
+  EXPECT_TRUE(added<Spring>().point.isZero(0.0));
+  EXPECT_TRUE(added<Spring>().anchor.isZero(0.0));
   EXPECT_EQ(added<Spring>().name, "Spring 1");
   EXPECT_EQ(added<Spring>().stiffness, 40.0);  // (2π)² of 1 kg
   EXPECT_EQ(added<Spring>().damping, 0.0);
@@ -153,8 +155,9 @@ TEST_F(JointToolsTest, ASpringJoinsCentresAndIsRelaxed) {
   drag(QPoint(200, 80), a_);
   EXPECT_EQ(told_.back().name, "Add spring from A to the plane");
   EXPECT_EQ(added<Spring>().stiffness, 80.0);
+  EXPECT_TRUE(near(added<Spring>().point, {0.0, -0.2}));
   EXPECT_TRUE(near(added<Spring>().anchor, {1.0, 2.2}));
-  EXPECT_NEAR(added<Spring>().rest_length, 1.2, 1e-12);
+  EXPECT_NEAR(added<Spring>().rest_length, 1.4, 1e-12);
 }
 
 TEST_F(JointToolsTest, AClickPinsTwoBodiesOrOneToThePlane) {

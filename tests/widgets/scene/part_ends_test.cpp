@@ -1,3 +1,5 @@
+#include <QApplication>
+
 #include "tests/widgets/scene/scene_tools_fixture.h"
 
 namespace carom {
@@ -119,6 +121,70 @@ TEST_F(PartEndsTest, TheTipOfAForceIsPulled) {
   EXPECT_EQ(scene_.forces.applied.front().end, 3.0);
 }
 
+// The foot of a force that has been pulled out of A, to a place of A, of B, and of nothing.
+TEST_F(PartEndsTest, TheFootOfAForceIsDraggedToWhereItActs) {
+  AppliedForce pull;
+  pull.body = "A";
+  pull.force = Vec2(0.0, 8.0);
+  scene_.forces.applied = {pull};
+  give_ids(scene_);
+  show(true);
+  const AppliedForce& force = scene_.forces.applied.front();
+  view_.choose_part(force.id);
+  drag(a_end_, QPoint(220, 210));
+  EXPECT_EQ(told_.back().name, "Move the foot of a force on A");
+  EXPECT_TRUE(force.point.isApprox(Vec2(0.2, -0.1), 1e-9));
+  EXPECT_EQ(force.force, Vec2(0.0, 8.0));
+  drag(QPoint(220, 210), QPoint(247, 200));  // 3 px from the rim
+  EXPECT_TRUE(force.point.isApprox(Vec2(0.5, 0.0), 1e-9));
+  drag(QPoint(250, 200), QPoint(402, 197));  // near the centre of B
+  EXPECT_EQ(force.body, "B");
+  EXPECT_TRUE(force.point.isZero(0.0));
+  const std::size_t told = told_.size();
+  drag(QPoint(400, 200), QPoint(300, 60));
+  EXPECT_EQ(force.body, "B");
+  EXPECT_TRUE(force.point.isZero(0.0));
+  EXPECT_GE(told_.size(), told);
+}
+
+TEST_F(PartEndsTest, TheFootOfAForceTakesATypedPlace) {
+  AppliedForce pull;
+  pull.body = "A";
+  pull.force = Vec2(0.0, 8.0);
+  scene_.forces.applied = {pull};
+  give_ids(scene_);
+  show(true);
+  view_.choose_part(scene_.forces.applied.front().id);
+  view_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&view_));
+  view_.setFocus();
+  press(a_end_);
+  move(QPoint(220, 210));
+  const auto type = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
+  type(Qt::Key_Period);
+  type(Qt::Key_3);
+  type(Qt::Key_Return);
+  release(QPoint(220, 210));
+  EXPECT_TRUE(scene_.forces.applied.front().point.isApprox(Vec2(0.3, -0.1), 1e-9));
+}
+
+TEST_F(PartEndsTest, AnEndOfASpringHoldsToAPointOfABody) {
+  Spring spring;
+  spring.body = "A";
+  spring.anchor = Vec2(2.0, 2.5);
+  scene_.forces.springs = {spring};
+  give_ids(scene_);
+  show(true);
+  view_.choose_part(scene_.forces.springs.front().id);
+  drag(a_end_, QPoint(170, 180));
+  EXPECT_TRUE(scene_.forces.springs.front().point.isApprox(Vec2(-0.3, 0.2), 1e-9));
+  drag(plane_end_, QPoint(424, 201));  // 1 px from the rim of B
+  EXPECT_EQ(scene_.forces.springs.front().to, "B");
+  EXPECT_NEAR(scene_.forces.springs.front().anchor.norm(), 0.25, 1e-9);
+  drag(QPoint(170, 180), QPoint(205, 203));
+  EXPECT_TRUE(scene_.forces.springs.front().point.isZero(0.0));
+}
+
 TEST_F(PartEndsTest, WhatCannotBeChangesNothing) {
   const Joint& rod = joint(JointKind::kRod, std::nullopt);
   drag(a_end_, QPoint(450, 60));  // both in the plane
@@ -209,6 +275,8 @@ TEST_F(PartEndsTest, TheHintOfAForceSaysWhatItsTipDoes) {
   show(true);
   view_.choose_part(scene_.forces.applied.front().id);
   const QPoint tip = view_.camera().to_screen(view_.drawing().arrows.back().to.cast<double>()).toPoint();
+  QTest::mouseMove(&view_, a_end_);
+  EXPECT_EQ(hint, "drag: where the force acts · double click: type the force");
   QTest::mouseMove(&view_, tip);
   EXPECT_EQ(hint, "drag: size and direction · Shift: one axis · double click: type it");
   press(tip);
