@@ -155,37 +155,31 @@ void move_end(End& end, std::span<const Body> bodies, const Body& whole) {
   }
 }
 
-void move_joints(const Scene& scene, std::span<const Body> bodies, const Body& whole, SceneEdits& edits) {
-  for (const Joint& joint : scene.joints) {
-    if (joint.id.number == 0) continue;  // a run has made it
-    Joint moved = joint;
+// Joints or springs; those between the bodies go.
+template <class Link>
+void move_links(const std::vector<Link>& links, std::span<const Body> bodies, const Body& whole,
+                SceneEdits& edits) {
+  for (const Link& link : links) {
+    if (link.id.number == 0) continue;  // a run has made it
+    Link moved = link;
     End own{moved.body, moved.point};
     End other{moved.to, moved.anchor};
     move_end(own, bodies, whole);
     move_end(other, bodies, whole);
     if (moved.body == moved.to) {
-      edits.emplace_back(Remove<Joint>{joint.id});
+      edits.emplace_back(Remove<Link>{link.id});
       continue;
     }
-    if (moved.angle) *moved.angle += own.turn - other.turn;
-    if (moved.body == whole.name || moved.to == whole.name) edits.emplace_back(Replace<Joint>{moved});
+    if constexpr (std::is_same_v<Link, Joint>) {
+      if (moved.angle) *moved.angle += own.turn - other.turn;
+    }
+    if (moved.body == whole.name || moved.to == whole.name) edits.emplace_back(Replace<Link>{moved});
   }
 }
 
-void move_forces(const Forces& forces, std::span<const Body> bodies, const Body& whole, SceneEdits& edits) {
-  for (const Spring& spring : forces.springs) {
-    Spring moved = spring;
-    End own{moved.body, moved.point};
-    End other{moved.to, moved.anchor};
-    move_end(own, bodies, whole);
-    move_end(other, bodies, whole);
-    if (moved.body == moved.to) {
-      edits.emplace_back(Remove<Spring>{spring.id});
-    } else if (moved.body == whole.name || moved.to == whole.name) {
-      edits.emplace_back(Replace<Spring>{moved});
-    }
-  }
-  for (const AppliedForce& force : forces.applied) {
+void move_forces(const std::vector<AppliedForce>& forces, std::span<const Body> bodies, const Body& whole,
+                 SceneEdits& edits) {
+  for (const AppliedForce& force : forces) {
     AppliedForce moved = force;
     End end{moved.body, moved.point};
     move_end(end, bodies, whole);
@@ -273,8 +267,9 @@ Regrouping joining(const Scene& scene, std::span<const std::string> names) {
     return out;
   }
   out.edits.emplace_back(Replace<Body>{whole});
-  move_joints(scene, bodies, whole, out.edits);
-  move_forces(scene.forces, bodies, whole, out.edits);
+  move_links(scene.joints, bodies, whole, out.edits);
+  move_links(scene.forces.springs, bodies, whole, out.edits);
+  move_forces(scene.forces.applied, bodies, whole, out.edits);
   for (const Body& body : std::span(bodies).subspan(1)) out.edits.emplace_back(Remove<Body>{body.id});
   const bool held = std::any_of(out.edits.begin(), out.edits.end(), [](const SceneEdit& edit) {
     return std::holds_alternative<Replace<Joint>>(edit);

@@ -28,6 +28,17 @@ class PartEndsTest : public SceneToolsTest {
     view_.choose_part(scene_.joints.front().id);
     return scene_.joints.front();
   }
+  // A force at the centre of A.
+  const AppliedForce& pull_of_a(const Vec2& newtons) {
+    AppliedForce force;
+    force.body = "A";
+    force.force = newtons;
+    scene_.forces.applied = {force};
+    give_ids(scene_);
+    show(true);
+    view_.choose_part(scene_.forces.applied.front().id);
+    return scene_.forces.applied.front();
+  }
   const QPoint a_end_{200, 200};
   const QPoint plane_end_{300, 50};
 };
@@ -123,14 +134,7 @@ TEST_F(PartEndsTest, TheTipOfAForceIsPulled) {
 
 // The foot of a force that has been pulled out of A, to a place of A, of B, and of nothing.
 TEST_F(PartEndsTest, TheFootOfAForceIsDraggedToWhereItActs) {
-  AppliedForce pull;
-  pull.body = "A";
-  pull.force = Vec2(0.0, 8.0);
-  scene_.forces.applied = {pull};
-  give_ids(scene_);
-  show(true);
-  const AppliedForce& force = scene_.forces.applied.front();
-  view_.choose_part(force.id);
+  const AppliedForce& force = pull_of_a(Vec2(0.0, 8.0));
   drag(a_end_, QPoint(220, 210));
   EXPECT_EQ(told_.back().name, "Move the foot of a force on A");
   EXPECT_TRUE(force.point.isApprox(Vec2(0.2, -0.1), 1e-9));
@@ -148,13 +152,7 @@ TEST_F(PartEndsTest, TheFootOfAForceIsDraggedToWhereItActs) {
 }
 
 TEST_F(PartEndsTest, TheFootOfAForceTakesATypedPlace) {
-  AppliedForce pull;
-  pull.body = "A";
-  pull.force = Vec2(0.0, 8.0);
-  scene_.forces.applied = {pull};
-  give_ids(scene_);
-  show(true);
-  view_.choose_part(scene_.forces.applied.front().id);
+  const AppliedForce& force = pull_of_a(Vec2(0.0, 8.0));
   view_.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&view_));
   view_.setFocus();
@@ -165,7 +163,7 @@ TEST_F(PartEndsTest, TheFootOfAForceTakesATypedPlace) {
   type(Qt::Key_3);
   type(Qt::Key_Return);
   release(QPoint(220, 210));
-  EXPECT_TRUE(scene_.forces.applied.front().point.isApprox(Vec2(0.3, -0.1), 1e-9));
+  EXPECT_TRUE(force.point.isApprox(Vec2(0.3, -0.1), 1e-9));
 }
 
 TEST_F(PartEndsTest, AnEndOfASpringHoldsToAPointOfABody) {
@@ -267,13 +265,7 @@ TEST_F(PartEndsTest, TheHintSaysThatALengthCanBeTyped) {
 TEST_F(PartEndsTest, TheHintOfAForceSaysWhatItsTipDoes) {
   QString hint;
   QObject::connect(&view_, &SceneView::hintChanged, [&](const QString& text) { hint = text; });
-  AppliedForce force;
-  force.body = "A";
-  force.force = Vec2(0.0, 10.0);
-  scene_.forces.applied = {force};
-  give_ids(scene_);
-  show(true);
-  view_.choose_part(scene_.forces.applied.front().id);
+  pull_of_a(Vec2(0.0, 10.0));
   const QPoint tip = view_.camera().to_screen(view_.drawing().arrows.back().to.cast<double>()).toPoint();
   QTest::mouseMove(&view_, a_end_);
   EXPECT_EQ(hint, "drag: where the force acts · double click: type the force");
