@@ -86,7 +86,7 @@ void ForceField::add_external(BodyIndex body, double t, const Eigen::Vector3d& q
       torque += cross(arm, p.force);
       quadratures[kDamperLoss] += p.loss;
       // Work of the drive: it becomes kinetic energy, spring energy and the damper's loss.
-      quadratures[kWorkIn] += p.force.dot(end_velocity);
+      quadratures[kWorkIn] += p.force.dot(end_velocity) - idle_power(body, cross(arm, p.force), spin);
     }
   }
   if constexpr (kApplied) {
@@ -97,7 +97,7 @@ void ForceField::add_external(BodyIndex body, double t, const Eigen::Vector3d& q
       const double turning = a.torque + cross(arm_at(a.point, q[2]), a.force);
       force += share * a.force;
       torque += share * turning;
-      quadratures[kWorkIn] += share * (a.force.dot(v) + (turning - untaken(body, turning)) * spin);
+      quadratures[kWorkIn] += share * (a.force.dot(v) + turning * spin - idle_power(body, turning, spin));
     }
     if (terms_->hand && terms_->hand->body == body) {
       const Vec2 arm = turned_by(q[2], terms_->hand->grip);
@@ -105,7 +105,7 @@ void ForceField::add_external(BodyIndex body, double t, const Eigen::Vector3d& q
       const Vec2 pull = pull_of_hand(x + arm, grip_velocity);
       force += pull;
       torque += cross(arm, pull);
-      quadratures[kHandWork] = pull.dot(v) + (cross(arm, pull) - untaken(body, cross(arm, pull))) * spin;
+      quadratures[kHandWork] = pull.dot(v) + cross(arm, pull) * spin - idle_power(body, cross(arm, pull), spin);
     }
   }
   k[3] += model_->mass.inverse_mass[body] * force.x();
@@ -148,6 +148,7 @@ void ForceField::add_couplings(std::span<const BodyIndex> members, const Motions
       k(5, i) += model_->mass.inverse_inertia[term.body] * torque;
       k(5, j) += model_->mass.inverse_inertia[term.other] * far_torque;
       k(6 + kDamperLoss, i) += p.loss;
+      k(6 + kWorkIn, i) -= idle_power(term.body, torque, y(5, i)) + idle_power(term.other, far_torque, y(5, j));
       k(6 + kAngularImpulse, i) -= untaken(term.body, torque) + untaken(term.other, far_torque);
     }
   }

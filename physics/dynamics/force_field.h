@@ -189,6 +189,10 @@ class ForceField {
   [[nodiscard]] double untaken(BodyIndex body, double torque) const {
     return model_->mass.inverse_inertia[body] > 0.0 ? 0.0 : torque;
   }
+  // W: that it takes from its spin all the same, as that stays.
+  [[nodiscard]] double idle_power(BodyIndex body, double torque, double spin) const {
+    return untaken(body, torque) * spin;
+  }
   [[nodiscard]] double attraction_energy(BodyIndex a, BodyIndex b, const Vec2& d) const;
 
   std::shared_ptr<const Model> model_;

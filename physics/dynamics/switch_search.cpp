@@ -1,11 +1,28 @@
 #include "physics/dynamics/switch_search.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "physics/math/roots.h"
 
 namespace carom {
 namespace {
 
 using Island = Flights::Island;
+
+// A trajectory is looked at in parts in which no end of a switch turns, or swings, by more than this angle, or
+// comes nearer to the other one by more than this share of the length at which it switches: a margin is near
+// its parabola then.
+constexpr double kPartOfTurn = 0.25;  // rad
+constexpr double kPartOfLength = 0.5;
+constexpr int kFewestParts = 4;
+constexpr int kMostParts = 64;
+constexpr double kLongestTurn = 6.0;  // rad, of a trajectory that no step limits
+// Of the largest of three margins: where their parabola goes below it the margin is looked at.
+constexpr double kNear = 0.25;
+constexpr double kRounding = 1e-12;  // likewise: a margin that is rounding leaves no state
+constexpr int kMostLooks = 6;
 
 bool is_on(const Flights& f, const Switch& a_switch) {
   if (const auto* joint = std::get_if<JointIndex>(&a_switch)) return f.joints.taut(*joint);
@@ -39,6 +56,48 @@ double margin_at(Flights& f, const Island& island, const Switch& a_switch, doubl
 }
 
 }  // namespace
+
+SwitchSearch::SwitchSearch(const Model& model)
+    : turning_(model.bodies()), swinging_(model.bodies()), released_at_(model.joint_terms.all.size(), -1.0) {
+  const auto note = [&](const Ends& ends) {
+    const auto body = static_cast<std::size_t>(ends.body);
+    if (ends.turns) turning_[body] = true;
+    if (ends.other >= 0 && ends.other_turns) turning_[static_cast<std::size_t>(ends.other)] = true;
+    if (ends.drive >= 0) {
+      swinging_[body] = std::max(swinging_[body], model.drive(ends.drive).angular_frequency);
+    }
+  };
+  model.forces.springs.each_index([&](SpringIndex spring) {
+    if (model.forces.springs[spring].acts != SpringActs::kBoth) note(ends_of(model, spring));
+  });
+  model.joint_terms.all.each_index([&](JointIndex joint) {
+    if (model.joint_terms.all[joint].kind == JointKind::kString) note(ends_of(model, joint));
+  });
+}
+
+SwitchSearch::Ends SwitchSearch::ends_of(const Model& model, const Switch& a_switch) {
+  if (const auto* joint = std::get_if<JointIndex>(&a_switch)) {
+    const JointTerm& term = model.joint_terms.all[*joint];
+    return {term.body, term.other, term.drive, !term.point.isZero(0.0), !term.anchor.isZero(0.0), term.length};
+  }
+  const SpringTerm& term = model.forces.springs[std::get<SpringIndex>(a_switch)];
+  return {term.body,       term.other, term.drive, !term.point.isZero(0.0), !term.other_point.isZero(0.0),
+          term.rest_length};
+}
+
+double SwitchSearch::time_to_follow(const Flights& f, const Island& island) const {
+  double most = std::numeric_limits<double>::infinity();
+  for (const BodyIndex i : f.members_of(island)) {
+    const auto body = static_cast<std::size_t>(i);
+    if (turning_[body]) {
+      const double spin = std::abs(f.at_start.col(i)[5]);
+      const double change = std::abs(f.constant.col(i)[2]);
+      most = std::min(most, 2.0 * kLongestTurn / (spin + std::sqrt(spin * spin + 2.0 * change * kLongestTurn)));
+    }
+    most = std::min(most, kLongestTurn / swinging_[body]);
+  }
+  return most;
+}
 
 double SwitchSearch::recheck(Flights& f, const Island& island) {
   double released = 0.0;
@@ -111,8 +170,7 @@ void SwitchSearch::sample(Flights& f, const Island& island, double time, std::ve
 
 // A switch must first be seen in the state that it is said to be in: just after it flipped its margin is zero
 // within rounding. One that is out of that state over the whole trajectory flips at once, if it is then in its
-// state: it was due together with another switch of the island. The trajectory is sampled in quarters: what
-// starts and stops acting within less is not resolved by the step either.
+// state: it was due together with another switch of the island.
 void SwitchSearch::end_at_first(Flights& f, Island& island) {
   const bool strings = island.group >= 0 && !f.joints.strings(island.group).empty();
   if (!f.field.has_switching_springs() && !strings) return;
@@ -125,29 +183,90 @@ void SwitchSearch::end_at_first(Flights& f, Island& island) {
   island.end = first;
 }
 
+int SwitchSearch::parts_of(Flights& f, const Island& island) const {
+  const double width = island.end - island.start;
+  double parts = kFewestParts;
+  for (const Switch& a_switch : listed_) {
+    const Ends ends = ends_of(*f.model, a_switch);
+    const auto turned = [&](BodyIndex body) {
+      return width * std::max(std::abs(f.at_start.col(body)[5]), std::abs(f.at_end.col(body)[5]));
+    };
+    double turn = ends.turns ? turned(ends.body) : 0.0;
+    if (ends.other >= 0 && ends.other_turns) turn = std::max(turn, turned(ends.other));
+    if (ends.drive >= 0) turn = std::max(turn, width * f.model->drive(ends.drive).angular_frequency);
+    const auto way = [&](const Motion& y, const Motion& far) { return width * (y - far).segment<2>(3).norm(); };
+    double most = 0.0;  // m
+    if (ends.other >= 0) {
+      most = std::max(way(f.at_start.col(ends.body), f.at_start.col(ends.other)),
+                      way(f.at_end.col(ends.body), f.at_end.col(ends.other)));
+    } else {
+      const Motion plane = Motion::Zero();
+      most = std::max(way(f.at_start.col(ends.body), plane), way(f.at_end.col(ends.body), plane));
+      if (ends.drive >= 0) most += width * f.model->drive(ends.drive).velocity.norm();
+    }
+    parts = std::max(parts, turn / kPartOfTurn);
+    if (ends.length > 0.0) parts = std::max(parts, most / (kPartOfLength * ends.length));
+  }
+  return parts < kMostParts ? static_cast<int>(std::ceil(parts)) : kMostParts;
+}
+
+std::optional<SwitchSearch::Leaving> SwitchSearch::dip(Flights& f, const Island& island, const Switch& a_switch,
+                                                       std::array<Sample, 3> at) {
+  const double largest = std::max({at[0].margin, at[1].margin, at[2].margin});
+  double lowest = std::min({at[0].margin, at[1].margin, at[2].margin});
+  if (!(lowest > 0.0)) return std::nullopt;
+  const double sign = is_on(f, a_switch) ? 1.0 : -1.0;
+  for (int look = 0; look < kMostLooks; ++look) {
+    // Newton's form of the parabola through the three.
+    const double first = (at[1].margin - at[0].margin) / (at[1].time - at[0].time);
+    const double second = (at[2].margin - at[1].margin) / (at[2].time - at[1].time);
+    const double bend = (second - first) / (at[2].time - at[0].time);
+    if (!(bend > 0.0)) return std::nullopt;
+    const double time = 0.5 * (at[0].time + at[1].time - first / bend);
+    const double deepest = at[0].margin + (time - at[0].time) * (first + bend * (time - at[1].time));
+    if (!(time > at[0].time && time < at[2].time) || time == at[1].time) return std::nullopt;
+    if (!(deepest < kNear * largest)) return std::nullopt;
+    const Sample found{time, sign * margin_at(f, island, a_switch, time)};
+    const std::size_t after = time < at[1].time ? 1 : 2;
+    const Sample& before = at[after - 1];
+    if (found.margin < -kRounding * largest)
+      return Leaving{a_switch, before.time, found.time, before.margin, found.margin};
+    if (!(found.margin > 0.0 && found.margin < 0.9 * lowest)) return std::nullopt;
+    lowest = found.margin;
+    at = after == 1 ? std::array<Sample, 3>{at[0], found, at[1]} : std::array<Sample, 3>{at[1], found, at[2]};
+  }
+  return std::nullopt;
+}
+
 void SwitchSearch::find_leaving(Flights& f, Island& island, double& first) {
-  const int quarters = static_cast<int>(margins_.size()) - 1;
+  list(f, island);
+  const int parts = parts_of(f, island);
   const double width = island.end - island.start;
   const auto time_of = [&](int s) {
     if (s == 0) return island.start;
-    return s == quarters ? island.end : island.start + width * s / quarters;
+    return s == parts ? island.end : island.start + width * s / parts;
   };
-  list(f, island);
-  for (int s = 0; s <= quarters; ++s) sample(f, island, time_of(s), margins_[static_cast<std::size_t>(s)]);
+  margins_.resize(static_cast<std::size_t>(parts) + 1);
+  for (int s = 0; s <= parts; ++s) sample(f, island, time_of(s), margins_[static_cast<std::size_t>(s)]);
 
   leaving_.clear();
   for (std::size_t k = 0; k < listed_.size(); ++k) {
     const Switch a_switch = listed_[k];
-    bool seen = margins_[0][k] > 0.0;
-    int left = 0;
-    for (int s = 1; s <= quarters && left == 0; ++s) {
-      const auto at = static_cast<std::size_t>(s);
-      if (margins_[at - 1][k] > 0.0 && margins_[at][k] <= 0.0) left = s;
-      seen = seen || margins_[at][k] > 0.0;
-    }
-    if (left > 0) {
-      const auto at = static_cast<std::size_t>(left);
-      leaving_.push_back({a_switch, time_of(left - 1), time_of(left), margins_[at - 1][k], margins_[at][k]});
+    const auto at = [&](int s) { return Sample{time_of(s), margins_[static_cast<std::size_t>(s)][k]}; };
+    bool seen = at(0).margin > 0.0;
+    bool left = false;
+    for (int s = 1; s <= parts && !left; ++s) {
+      const Sample before = at(s - 1);
+      const Sample now = at(s);
+      left = before.margin > 0.0 && now.margin <= 0.0;
+      seen = seen || now.margin > 0.0;
+      if (left) {
+        leaving_.push_back({a_switch, before.time, now.time, before.margin, now.margin});
+      } else if (s < parts) {
+        const auto dipped = dip(f, island, a_switch, {before, now, at(s + 1)});
+        if (dipped) leaving_.push_back(*dipped);
+        left = dipped.has_value();
+      }
     }
     if (seen || !(margins_.back()[k] < 0.0)) continue;
     // A push out of a penetration may have left a slack string too long, though its ends approach.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "physics/dynamics/flights.h"
@@ -20,8 +21,10 @@ class SwitchSearch {
   static constexpr std::int64_t kMostWorkPerBody = 20'000;
 
   SwitchSearch() = default;
-  explicit SwitchSearch(const Model& model) : released_at_(model.joint_terms.all.size(), -1.0) {}
+  explicit SwitchSearch(const Model& model);
 
+  // s: how long a trajectory of the island may be for its switches to be followed, where no step limits it.
+  [[nodiscard]] double time_to_follow(const Flights& flights, const Flights::Island& island) const;
   // Ends the trajectory of an island at the first moment at which one of its switches flips, unless following
   // them has cost more than it may.
   void end_at_first(Flights& flights, Flights::Island& island);
@@ -40,6 +43,21 @@ class SwitchSearch {
  private:
   friend struct KeptMembers;
 
+  // What a switch is between.
+  struct Ends {
+    BodyIndex body;
+    BodyIndex other;          // a movable body, or -1
+    BodyIndex drive;          // a kinematic body at the other end, or -1
+    bool turns, other_turns;  // the end is beside the centre of its body
+    double length;            // m, at which it switches
+  };
+  [[nodiscard]] static Ends ends_of(const Model& model, const Switch& a_switch);
+
+  // The margin in the state of the switch at one time.
+  struct Sample {
+    double time = 0.0;  // s
+    double margin = 0.0;
+  };
   // A switch that leaves its state between two times at which the trajectory was sampled.
   struct Leaving {
     Switch a_switch;
@@ -49,16 +67,24 @@ class SwitchSearch {
 
   [[nodiscard]] bool may_follow(const Flights& flights, const Flights::Island& island);
   void list(const Flights& flights, const Flights::Island& island);
+  // In how many parts of equal length a trajectory is looked at.
+  [[nodiscard]] int parts_of(Flights& flights, const Flights::Island& island) const;
   void sample(Flights& flights, const Flights::Island& island, double time, std::vector<double>& margins);
+  // The first time at which the switch is seen out of its state between three samples in it, with the last one
+  // before that in it.
+  [[nodiscard]] static std::optional<Leaving> dip(Flights& flights, const Flights::Island& island,
+                                                  const Switch& a_switch, std::array<Sample, 3> at);
   void find_leaving(Flights& flights, Flights::Island& island, double& first);
   void find_roots(Flights& flights, Flights::Island& island, double& first);
 
-  std::vector<Switch> listed_;                  // the island's switches
-  std::array<std::vector<double>, 5> margins_;  // theirs at the trajectory's start, quarters and end
+  std::vector<Switch> listed_;                // the island's switches
+  std::vector<std::vector<double>> margins_;  // theirs at the ends of the trajectory's parts
   std::vector<double> margins_at_first_;
   std::vector<Leaving> leaving_;
   double missed_since_ = -1.0;
   double lost_to_joints_ = 0.0;
+  std::vector<bool> turning_;     // by body: it has a switch beside its centre
+  std::vector<double> swinging_;  // rad/s, by body: of the drives at the other ends of its switches
   // s, absolute, by joint: when a string last became taut and would have had to push.
   std::vector<double> released_at_;
 };

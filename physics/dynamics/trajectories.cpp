@@ -192,7 +192,8 @@ void Trajectories::rebuild(int k, double horizon, double reach, double turn) {
   // Where no step ends the trajectory, the length of its path does.
   if (!(horizon < Flights::kForever)) {
     const bool blown_up = f.adaptive && is_blown_up(f, island);
-    island.end = island.start + (blown_up ? kLongestTrajectory : time_to_end(f, island, reach, turn));
+    const double most = std::min(time_to_end(f, island, reach, turn), switches_.time_to_follow(f, island));
+    island.end = island.start + (blown_up ? kLongestTrajectory : most);
   }
   if (f.field.has_breaks()) {
     for (const BodyIndex i : f.members_of(island))

@@ -74,9 +74,11 @@ inline constexpr auto kEnergyEntries = std::to_array<EnergyEntry>({
      "Change of potential energy where overlapping bodies were separated", &Ledger::penetration_correction,
      nullptr},
     {Kind::kInput, "put_in_by_drives", "put in by drives", "put in by drives and forces",
-     "Work of driven bodies and of applied forces and torques", &Ledger::put_in_by_drives,
-     [](const Scene&, ContactsId, const Needs& needs) {
-       return !needs.has(Part::kDrives) && !needs.has(Part::kAppliedForces);
+     "Work of driven bodies, of applied forces and torques, and of what keeps a point-like body spinning",
+     &Ledger::put_in_by_drives,
+     [](const Scene& scene, ContactsId, const Needs& needs) {
+       return !needs.has(Part::kDrives) && !needs.has(Part::kAppliedForces) &&
+              !has_springs_beside_points(scene);
      }},
     {Kind::kInput, "put_in_by_user", "put in by hand", "put in by hand",
      "Work of the hand, and energy of what was added or changed during the run", &Ledger::put_in_by_user,

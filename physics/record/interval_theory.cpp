@@ -15,7 +15,8 @@ namespace {
 struct Actions {
   std::vector<NoIntervalLaw> on;  // by body
   NoIntervalLaw from_outside = NoIntervalLaw::kNone;
-  bool within = false;  // joints or forces between the bodies, which may do work
+  NoIntervalLaw turning = NoIntervalLaw::kNone;  // from outside too, about the origin alone
+  bool within = false;                           // joints or forces between the bodies, which may do work
 
   explicit Actions(const RunInterval& interval) : on(interval.compiled->model.bodies(), NoIntervalLaw::kNone) {
     const Model& model = interval.compiled->model;
@@ -33,11 +34,20 @@ struct Actions {
     });
     for (const AppliedTerm& term : forces.applied) add(term.body, NoIntervalLaw::kForces);
     if (forces.hand) add(forces.hand->body, NoIntervalLaw::kForces);
-    for (const SpringTerm& term : forces.springs) add_pair(term.body, term.other, NoIntervalLaw::kForces);
+    for (const SpringTerm& term : forces.springs) {
+      add_pair(term.body, term.other, NoIntervalLaw::kForces);
+      const bool idle = is_beside_point(model, term.body, term.point) ||
+                        (term.other >= 0 && is_beside_point(model, term.other, term.other_point));
+      if (idle) turning = NoIntervalLaw::kForces;
+    }
     add_joints(interval);
   }
 
  private:
+  // Whose torque turns nothing.
+  static bool is_beside_point(const Model& model, BodyIndex body, const Vec2& point) {
+    return !point.isZero(0.0) && !(model.mass.inverse_inertia[body] > 0.0);
+  }
   void add(BodyIndex body, NoIntervalLaw why) {
     NoIntervalLaw& found = on[static_cast<std::size_t>(body)];
     if (found == NoIntervalLaw::kNone) found = why;
@@ -136,7 +146,7 @@ IntervalTheory theory_of(const RunInterval& interval) {
   theory.no_kinetic = no_kinetic_law(interval, acting);
   const bool walls = touched_any(interval, [&model](BodyIndex i) { return model.infinite_mass(i); });
   theory.no_momentum = walls ? NoIntervalLaw::kWalls : acting.from_outside;
-  theory.no_angular = theory.no_momentum;
+  theory.no_angular = theory.no_momentum == NoIntervalLaw::kNone ? acting.turning : theory.no_momentum;
   theory.no_velocity = std::move(acting.on);
   theory.v = interval.before.v;
   theory.v.topRows<2>().colwise() += g * t;

@@ -92,6 +92,17 @@ bool has_strings(const Scene& scene) {
                      [](const Joint& joint) { return joint.kind == JointKind::kString; });
 }
 
+bool has_springs_beside_points(const Scene& scene) {
+  const auto pulls = [&scene](const std::string& body, const Vec2& point) {
+    return !point.isZero(0.0) && std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& each) {
+      return each.name == body && inertia_of(each) == 0.0;
+    });
+  };
+  return std::any_of(scene.forces.springs.begin(), scene.forces.springs.end(), [&](const Spring& spring) {
+    return pulls(spring.body, spring.point) || pulls(spring.to, spring.anchor);
+  });
+}
+
 std::vector<Body> all_bodies(const Scene& scene) {
   std::vector<Body> bodies = scene.bodies;
   for (const GridGenerator& g : scene.generators) {

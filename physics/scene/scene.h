@@ -67,6 +67,8 @@ struct Scene {
 [[nodiscard]] bool has_force_on_each_body(const Scene& scene);
 [[nodiscard]] bool has_dampers(const Scene& scene);
 [[nodiscard]] bool has_strings(const Scene& scene);
+// A spring pulls beside the centre of a body that nothing turns.
+[[nodiscard]] bool has_springs_beside_points(const Scene& scene);
 
 // All bodies: those of the list, then those of the generators in order.
 [[nodiscard]] std::vector<Body> all_bodies(const Scene& scene);

@@ -146,6 +146,105 @@ TEST(OffCentreSprings, BesideAPointTheLedgerCloses) {
   EXPECT_NEAR(run.totals().kinetic() + run.totals().potential, energy, 1e-11);
 }
 
+// A spin that no torque changes gives and takes energy: it is put in.
+TEST(OffCentreSprings, BesideASpinningPointTheLedgerCloses) {
+  Body point = disc("P", {1.0, 0.0}, {0.0, 0.0}, 0.0, 0.7);
+  point.spin = 5.0;
+  Body box_beside = box("A", {-1.0, 0.5}, {0.1, 0.2}, 0.4, 0.2, 1.5);
+  box_beside.spin = -2.0;
+  for (const bool between : {false, true}) {
+    RunSetup setup = free_bodies({point, box_beside}, kExactly);
+    Spring spring = spring_at("P", {0.3, 0.0}, 8.0);
+    spring.damping = 0.4;
+    if (between) {
+      spring.to = "A";
+      spring.anchor = Vec2(0.1, -0.05);
+    }
+    setup.scene.forces.springs = {spring};
+    Simulation run(setup);
+    run.advance_to(2.0);
+    EXPECT_GT(std::abs(run.ledger().put_in_by_drives), 0.1) << between;
+    EXPECT_NEAR(run.ledger().numerical_drift(run.totals().energy()), 0.0, 1e-10) << between;
+  }
+}
+
+// Slack, the body spins freely: how long a band pulls on a turn is all that its motion has of a scale.
+TEST(OffCentreSprings, ABandIsMetOnTheFirstTurn) {
+  Body wheel = disc("A", {0.0, 0.0}, {0.0, 0.0}, 0.2, 1.0);
+  wheel.spin = 3.0;
+  Body crate = box("A", {0.0, 0.0}, {0.0, 0.0}, 0.4, 0.4, 1.0);
+  crate.spin = 3.0;
+  Body top = wheel;
+  top.spin = 60.0;
+  const auto when = [](double rest, const Body& body) {
+    const double turn = std::acos((0.04 + 0.36 - rest * rest) / (2.0 * 0.2 * 0.6));
+    return (turn - body.angle) / body.spin;
+  };
+  Body turned_crate = crate;
+  turned_crate.angle = 0.8;
+  Body late = wheel;
+  late.angle = 0.8;
+  for (const auto& [body, rest] : {std::pair{wheel, 0.5}, std::pair{crate, 0.5}, std::pair{turned_crate, 0.78},
+                                   std::pair{late, 0.78}, std::pair{late, 0.7999}, std::pair{top, 0.799}}) {
+    Spring band = spring_at("A", {0.2, 0.0}, 6.0);
+    band.anchor = Vec2(0.6, 0.0);
+    band.rest_length = rest;
+    band.acts = SpringActs::kPull;
+    const double taut = when(rest, body);
+    for (const IntegratorId integrator : {IntegratorId::kAdaptiveDormandPrince, IntegratorId::kRk4}) {
+      RunSetup setup = free_bodies({body}, Method{.integrator = integrator, .step = 0.05, .tolerance = 1e-9});
+      setup.scene.forces.springs = {band};
+      Simulation run(setup);
+      run.advance_to(taut - 1e-9);
+      EXPECT_EQ(run.state().v(2, 0), body.spin) << rest;
+      run.advance_to(taut + 0.02 / body.spin);
+      EXPECT_LT(run.state().v(2, 0), body.spin) << rest;
+    }
+  }
+}
+
+// A disc at rest and a driven end that comes and goes.
+TEST(OffCentreSprings, ASwingingEndIsMetByABodyAtRest) {
+  Body post = fixed("post", Box{0.1, 0.1}, {1.0, 0.0});
+  post.fixed = false;
+  post.drive = Drive{.amplitude = Vec2(0.2, 0.0), .angular_frequency = 3.0};
+  Spring band = spring_at("A", Vec2::Zero(), 6.0);
+  band.to = "post";
+  band.rest_length = 1.15;
+  band.acts = SpringActs::kPull;
+  const auto run_with = [&](const Method& method) {
+    RunSetup setup = free_bodies({disc("A", {0.0, 0.0}, {0.0, 0.0}, 0.1, 1.0), post}, method);
+    setup.scene.forces.springs = {band};
+    Simulation run(setup);
+    run.advance_to(1.5);
+    return run.state().q(0, 0);
+  };
+  const double fine = run_with({.integrator = IntegratorId::kRk4, .step = 1e-4});
+  EXPECT_GT(fine, 0.01);
+  EXPECT_NEAR(run_with(kExactly), fine, 1e-9);
+}
+
+// A string from the rim of a wheel that spins in place: no force bends its flight until it is taut.
+TEST(OffCentreSprings, AStringIsMetOnTheFirstTurn) {
+  Body wheel = disc("A", {0.0, 0.0}, {0.0, 0.0}, 0.2, 1.0);
+  wheel.spin = 3.0;
+  wheel.angle = 0.8;
+  Joint string;
+  string.kind = JointKind::kString;
+  string.body = "A";
+  string.point = Vec2(0.2, 0.0);
+  string.anchor = Vec2(0.6, 0.0);
+  string.length = 0.78;
+  RunSetup setup = free_bodies({wheel}, kExactly);
+  setup.scene.joints = {string};
+  Simulation run(setup);
+  const double taut = (std::acos((0.04 + 0.36 - 0.78 * 0.78) / 0.24) - 0.8) / 3.0;
+  run.advance_to(taut - 1e-9);
+  EXPECT_EQ(run.state().v(2, 0), 3.0);
+  run.advance_to(taut + 1e-9);
+  EXPECT_LT(run.state().v(2, 0), 3.0);
+}
+
 // A point of a fixed body is a point of the plane; that of a driven one moves with it.
 TEST(OffCentreSprings, HoldToPointsOfBodiesThatNothingMoves) {
   const auto end_of = [](const RunSetup& setup) {

@@ -108,6 +108,20 @@ TEST(IntervalTheory, GravityAloneActsFromOutside) {
   EXPECT_NEAR(theory.v(1, 2), found.after.v(1, 2), 1e-11);
 }
 
+TEST(IntervalTheory, ASpringBesideAPointEndsTheLawOfAngularMomentum) {
+  Scene scene = scene_with({disc("wheel", {0.0, 0.0}, {0.3, 0.1}), disc("point", {1.0, 0.3}, {0.0, 0.2}, 0.0)});
+  Spring spring;
+  spring.body = "wheel";
+  spring.point = Vec2(0.05, 0.0);
+  spring.to = "point";
+  scene.forces.springs = {spring};
+  EXPECT_EQ(theory_of(between(setup_of(scene), 0.0, 0.3)).no_angular, NoIntervalLaw::kNone);
+  scene.forces.springs[0].anchor = Vec2(0.0, 0.3);
+  const IntervalTheory theory = theory_of(between(setup_of(scene), 0.0, 0.3));
+  EXPECT_EQ(theory.no_momentum, NoIntervalLaw::kNone);
+  EXPECT_EQ(theory.no_angular, NoIntervalLaw::kForces);
+}
+
 TEST(IntervalTheory, WallsEndTheLawOfMomentum) {
   const RunSetup setup =
       setup_of(scene_with({disc("ball", {0.0, 0.3}, {0.0, -2.0}), wall("floor", {0.0, -0.5}, 8.0, 1.0)}));
