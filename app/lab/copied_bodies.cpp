@@ -58,6 +58,11 @@ Preset copied_bodies(const Scene& scene, const std::vector<std::string>& names) 
                [&](const Material& material) { return has(surfaces, material.name); });
   copy.scene.joints = among(scene.joints, names);
   copy.scene.forces.springs = among(scene.forces.springs, names);
+  std::copy_if(scene.pairs.begin(), scene.pairs.end(), std::back_inserter(copy.scene.pairs),
+               [&](const MaterialPair& pair) { return has(surfaces, pair.a) && has(surfaces, pair.b); });
+  std::copy_if(scene.forces.applied.begin(), scene.forces.applied.end(),
+               std::back_inserter(copy.scene.forces.applied),
+               [&](const AppliedForce& force) { return has(names, force.body); });
   return copy;
 }
 
@@ -65,13 +70,19 @@ Paste paste_into(const Scene& scene, const Preset& from, const Vec2& shift) {
   Paste paste;
   std::vector<Body> bodies = all_bodies(scene);
   std::unordered_map<std::string, std::string> renamed;
-  for (const Material& material : from.scene.materials) {
+  std::vector<std::string> surfaces;  // that are new
+  for (Material material : from.scene.materials) {
     const bool known = std::any_of(scene.materials.begin(), scene.materials.end(),
                                    [&](const Material& m) { return m.name == material.name; });
     if (known || material.name == "default") continue;
-    Material copy = material;
-    copy.id = {};
-    paste.edits.emplace_back(Add<Material>{copy});
+    surfaces.push_back(material.name);
+    material.id = {};
+    paste.edits.emplace_back(Add<Material>{material});
+  }
+  for (MaterialPair pair : from.scene.pairs) {
+    if (!has(surfaces, pair.a) && !has(surfaces, pair.b)) continue;
+    pair.id = {};
+    paste.edits.emplace_back(Add<MaterialPair>{pair});
   }
   for (Body body : all_bodies(from.scene)) {
     const std::string name =
@@ -100,6 +111,11 @@ Paste paste_into(const Scene& scene, const Preset& from, const Vec2& shift) {
   };
   for (const Joint& joint : from.scene.joints) put(joint);
   for (const Spring& spring : from.scene.forces.springs) put(spring);
+  for (AppliedForce force : from.scene.forces.applied) {
+    force.id = {};
+    force.body = renamed.at(force.body);
+    paste.edits.emplace_back(Add<AppliedForce>{force});
+  }
   return paste;
 }
 

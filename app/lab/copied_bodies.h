@@ -10,11 +10,11 @@
 namespace carom {
 
 // A preset of these bodies as they stand in a scene, with the joints and springs among them or to points of the
-// plane, and their surfaces.
+// plane, the forces on them, and their surfaces.
 [[nodiscard]] Preset copied_bodies(const Scene& scene, const std::vector<std::string>& names);
 
-// The edits that put a preset's bodies, joints, springs and unknown surfaces into a scene, moved by `shift`
-// (m).
+// The edits that put a preset's bodies, joints, springs, forces on bodies and unknown surfaces into a scene,
+// moved by `shift` (m).
 struct Paste {
   SceneEdits edits;
   std::vector<std::string> names;  // of the new bodies

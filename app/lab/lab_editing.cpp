@@ -20,6 +20,7 @@
 #include "widgets/scene/allowed_place.h"
 #include "widgets/scene/drag.h"
 #include "widgets/scene/join_shapes.h"
+#include "widgets/scene/joined_velocities.h"
 #include "widgets/scene/scene_parts.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/scene/typed_overlap.h"
@@ -78,6 +79,7 @@ void LabWindow::connect_edits() {
   };
   connect(inspector_, &Inspector::pauseRequested, this, pause);
   connect(sheet_, &BodiesSheet::pauseRequested, this, pause);
+  connect(inspector_, &Inspector::keepsChosen, view_, &SceneView::set_keeps);
   connect(inspector_, &Inspector::left, this, [this] { view_->setFocus(); });
   connect(inspector_, &Inspector::partOpened, this, [this] { view_->choose_part(inspector_->part()); });
   connect(inspector_, &Inspector::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
@@ -96,7 +98,8 @@ void LabWindow::connect_edits() {
   connect(&session_.history(), &EditHistory::runsReturned, this, &LabWindow::show_aim);
   connect(&session_.history(), &EditHistory::documentChanged, view_, &SceneView::scene_edited);
   aim_time_.setSingleShot(true);
-  connect(&aim_time_, &QTimer::timeout, view_, [this] { view_->set_aim(std::nullopt); });
+  connect(&aim_time_, &QTimer::timeout, view_,
+          [this] { view_->is_dragging() ? aim_time_.start() : view_->set_aim(std::nullopt); });
   // A refusal is about the last edit and what is shown; red cells are about the edit alone, which may select.
   connect(&session_.history(), &EditHistory::documentChanged, this, [this] {
     inspector_->say({});
@@ -112,8 +115,14 @@ void LabWindow::connect_edits() {
   connect(&session_.history(), &EditHistory::editRefused, this, [this](const QString& why) {
     if (view_->refuse(why)) return;
     const bool typed_in_table = sheet_->isAncestorOf(QApplication::focusWidget());
-    typed_in_table ? sheet_->refuse(why) : inspector_->say(why);
+    typed_in_table ? sheet_->refuse(why) : say_refusal(why);
   });
+}
+
+// In the inspector, where it is seen.
+void LabWindow::say_refusal(const QString& why) {
+  inspector_->say(why);
+  if (!inspector_->isVisible()) say_for_a_while(why);
 }
 
 void LabWindow::forget_refusal() {
@@ -162,7 +171,7 @@ void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int dr
     session_.edit(edits, name, drag);
     return keep_selected(edits);
   }
-  const AllowedPlace placed = allowed_place(*scene, edits);
+  const AllowedPlace placed = allowed_place(*scene, with_joined(*scene, edits));
   if (!placed.refusal.isEmpty()) {
     session_.history().refuse(placed.refusal);
     return;
@@ -221,15 +230,28 @@ void LabWindow::new_document() {
   });
 }
 
+// With the scene as it stands; a run that plays pauses first.
+void LabWindow::with_scene(const QString& what, const std::function<void(const Scene&)>& then) {
+  if (frame() == nullptr) return;
+  session_.runs().when_still(what, [this, then] {
+    if (const auto scene = session_.runs().scene()) then(*scene);
+  });
+}
+
+// Of the shown moment, also while it plays.
 void LabWindow::copy_selection() {
-  if (session_.runs().scene() == nullptr || view_->selection().empty()) return;
-  const Preset copy = copied_bodies(*session_.runs().scene(), view_->selection());
+  const auto scene = session_.runs().shown_scene();
+  if (scene == nullptr || view_->selection().empty()) return;
+  const Preset copy = copied_bodies(*scene, view_->selection());
   QApplication::clipboard()->setText(QString::fromStdString(write_preset(copy)));
 }
 
 void LabWindow::cut_selection() {
-  copy_selection();
-  if (!view_->selection().empty()) view_->press_key(Qt::Key_Delete);
+  if (view_->selection().empty()) return;
+  with_scene(tr("Cut"), [this](const Scene&) {
+    copy_selection();
+    view_->press_key(Qt::Key_Delete);
+  });
 }
 
 // At the mouse if it is over the scene, else in the middle of the view.
@@ -239,11 +261,9 @@ void LabWindow::paste() {
 }
 
 void LabWindow::paste_at(const QPointF& at) {
-  if (session_.runs().scene() == nullptr) return;
   const QString text = QApplication::clipboard()->text();
   if (!text.trimmed().startsWith('{'))
-    return inspector_->say(
-        tr("The clipboard holds no bodies. Copy some in the scene, or the text of a preset."));
+    return say_refusal(tr("The clipboard holds no bodies. Copy some in the scene, or the text of a preset."));
   try {
     const Preset from = parse_preset(text.toStdString(), "clipboard");
     const Extent extent = extent_of(all_bodies(from.scene));
@@ -252,41 +272,47 @@ void LabWindow::paste_at(const QPointF& at) {
     // Round, so that places stay short numbers.
     const Camera& camera = view_->camera();
     const Vec2 shift = drawn_place(camera.to_world(at) - middle, {.scale = camera.scale}, 0.0);
-    put(paste_into(*session_.runs().scene(), from, shift), tr("Paste"));
+    with_scene(tr("Paste"), [this, from, shift](const Scene& scene) {
+      put(scene, paste_into(scene, from, shift), tr("Paste"));
+    });
   } catch (const SceneError& error) {
-    inspector_->say(tr("The clipboard holds no preset: %1").arg(error.what()));
+    say_refusal(tr("The clipboard holds no preset: %1").arg(error.what()));
   }
 }
 
 void LabWindow::duplicate_selection() {
-  if (session_.runs().scene() == nullptr || view_->selection().empty()) return;
-  const Preset copy = copied_bodies(*session_.runs().scene(), view_->selection());
-  const WorldRect seen = view_->camera().visible();
-  const Vec2 shift =
-      shift_beside(copy.scene.bodies, all_bodies(*session_.runs().scene()), {seen.lower, seen.upper});
-  put(paste_into(*session_.runs().scene(), copy, shift), tr("Duplicate"));
+  if (view_->selection().empty()) return;
+  with_scene(tr("Duplicate"), [this](const Scene& scene) {
+    const Preset copy = copied_bodies(scene, view_->selection());
+    const WorldRect seen = view_->camera().visible();
+    const Vec2 shift = shift_beside(copy.scene.bodies, all_bodies(scene), {seen.lower, seen.upper});
+    put(scene, paste_into(scene, copy, shift), tr("Duplicate"));
+  });
 }
 
-void LabWindow::put(const Paste& paste, const QString& what) {
+void LabWindow::put(const Scene& scene, const Paste& paste, const QString& what) {
   if (paste.names.empty()) return;
   const int count = static_cast<int>(paste.names.size());
+  const QString overlap = typed_overlap(scene, paste.edits);
   session_.edit(paste.edits, count == 1 ? tr("%1 %2").arg(what, QString::fromStdString(paste.names.front()))
                                         : tr("%1 %n bodies", nullptr, count).arg(what));
+  if (!overlap.isEmpty()) say_for_a_while(overlap);
   view_->select_when_shown(paste.names);
 }
 
 void LabWindow::join_selection() {
-  if (session_.runs().scene() == nullptr || view_->selection().empty()) return;
-  regroup(joining(*session_.runs().scene(), view_->selection()));
+  if (view_->selection().empty()) return;
+  with_scene(tr("Join"), [this](const Scene& scene) { regroup(joining(scene, view_->selection())); });
 }
 
 void LabWindow::take_selection_apart() {
-  if (session_.runs().scene() == nullptr || view_->selection().size() != 1) return;
-  regroup(taking_apart(*session_.runs().scene(), view_->selection().front()));
+  if (view_->selection().size() != 1) return;
+  with_scene(tr("Take apart"),
+             [this](const Scene& scene) { regroup(taking_apart(scene, view_->selection().front())); });
 }
 
 void LabWindow::regroup(const Regrouping& made) {
-  if (!made.refusal.isEmpty()) return inspector_->say(made.refusal);
+  if (!made.refusal.isEmpty()) return say_refusal(made.refusal);
   session_.edit(made.edits, made.name);
   view_->select_when_shown(made.bodies);
 }

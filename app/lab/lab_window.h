@@ -117,15 +117,17 @@ class LabWindow : public QMainWindow {
   void drop(const Vec2& at, std::optional<double> radius);  // m
   void select_drawn(const SceneEdits& edits);
   void edit_bodies(const SceneEdits& edits, const QString& name, int drag);
+  void say_refusal(const QString& why);
   void forget_refusal();
   void show_aim();
   void new_document();
+  void with_scene(const QString& what, const std::function<void(const Scene&)>& then);
   void copy_selection();
   void cut_selection();
   void paste();
   void paste_at(const QPointF& at);  // px of the scene view
   void duplicate_selection();
-  void put(const Paste& paste, const QString& what);
+  void put(const Scene& scene, const Paste& paste, const QString& what);
   void join_selection();
   void take_selection_apart();
   void regroup(const Regrouping& made);

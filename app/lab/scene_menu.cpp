@@ -81,9 +81,7 @@ void LabWindow::fill_menu_of_bodies(QMenu& menu) {
   add_title(menu, body != nullptr ? QString("%1 · %2").arg(QString::fromStdString(names[0]), kind_text(*body))
                                   : tr("%n bodies", nullptr, static_cast<int>(names.size())));
   const auto do_it = [&](const QString& text, const QKeySequence& key, void (LabWindow::*slot)()) {
-    QAction* action = add(menu, text, key);
-    action->setEnabled(session_.runs().scene() != nullptr);
-    connect(action, &QAction::triggered, this, slot);
+    connect(add(menu, text, key), &QAction::triggered, this, slot);
   };
   connect(add(menu, tr("&Inspect"), Qt::Key_I), &QAction::triggered, this, &LabWindow::inspect);
   add_key(menu, view_, tr("Re&name"), Qt::Key_F2);
@@ -147,9 +145,8 @@ void LabWindow::add_stops_of(QMenu& menu, const Body& now) {
 }
 
 void LabWindow::fill_menu_of_space(QMenu& menu, const QPoint& at) {
-  QAction* pasted = add(menu, tr("&Paste here"), QKeySequence::Paste);
-  pasted->setEnabled(session_.runs().scene() != nullptr);
-  connect(pasted, &QAction::triggered, this, [this, at] { paste_at(at); });
+  connect(add(menu, tr("&Paste here"), QKeySequence::Paste), &QAction::triggered, this,
+          [this, at] { paste_at(at); });
   connect(add(menu, tr("&Fit the scene"), Qt::Key_F), &QAction::triggered, view_, &SceneView::find);
   menu.addSeparator();
   const auto draws = [&](const QString& text, SceneTool tool) {

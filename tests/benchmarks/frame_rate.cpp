@@ -6,9 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/lab/lab_window.h"
-#include "physics/preset/preset.h"
-#include "physics/preset/preset_file.h"
-#include "physics/scene/validate.h"
+#include "tests/benchmarks/crowd_window.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
@@ -17,58 +15,12 @@ using namespace carom;
 
 namespace {
 
-Body wall(const char* name, double width, double height, const Vec2& position) {
-  Body b;
-  b.name = name;
-  b.shape = Box{width, height};
-  b.position = position;
-  b.fixed = true;
-  return b;
-}
-
-Preset thousand_discs() {
-  Preset s;
-  s.title = "A thousand discs";
-  s.duration = 1e6;
-  s.method.integrator = IntegratorId::kVelocityVerlet;
-  s.method.step = 0.01;
-  s.scene.bodies = {wall("left", 1.0, 24.0, {-20.5, 0.0}), wall("right", 1.0, 24.0, {20.5, 0.0}),
-                    wall("floor", 40.0, 1.0, {0.0, -12.5}), wall("ceiling", 40.0, 1.0, {0.0, 12.5})};
-  GridGenerator grid;
-  grid.columns = 40;
-  grid.rows = 25;
-  grid.origin = {-19.0, -11.2};
-  grid.spacing = {0.97, 0.93};
-  grid.radius_min = grid.radius_max = 0.25;
-  grid.speed_max = 1.0;
-  s.scene.generators = {grid};
-  validate(s);
-  return s;
-}
-
-// Counts the pictures that the scene's canvas paints.
-class PaintCounter : public QObject {
- public:
-  explicit PaintCounter(SceneView& view) {
-    for (QWidget* child : view.findChildren<QWidget*>()) {
-      if (child->size() == view.size()) child->installEventFilter(this);
-    }
-  }
-  int painted = 0;
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() == QEvent::Paint) ++painted;
-    return QObject::eventFilter(watched, event);
-  }
-};
-
 struct Rates {
   double frames = 0.0;  // 1/s
   double speed = 0.0;   // simulated seconds a second
 };
 
-Rates measure(LabWindow& window, PaintCounter& counter, int plots) {
+Rates measure(LabWindow& window, bench::PaintCounter& counter, int plots) {
   auto* panel = window.findChild<PlotPanel*>();
   constexpr std::array kPlots = {"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift"};
   for (int i = 0; i < static_cast<int>(kPlots.size()); ++i)
@@ -98,9 +50,9 @@ int main(int argc, char** argv) {
   LabWindow window(light_theme());
   window.resize(1280, 900);
   window.show();
-  window.show_scene(thousand_discs(), {}, {});
+  window.show_scene(bench::thousand_discs(), {}, {});
   emit window.findChild<TransportBar*>()->playClicked(true);
-  PaintCounter counter(window.scene_view());
+  bench::PaintCounter counter(window.scene_view());
   fmt::print("painted by {}\n", window.scene_view().uses_opengl() ? "OpenGL" : "QPainter");
   Rates sum[2];
   constexpr int kRounds = 4;

@@ -17,7 +17,9 @@ ChoiceRow::ChoiceRow(const InspectedRow& row, QWidget* parent)
   grid()->setColumnStretch(1, 1);
   remark_->setObjectName("muted");
   connect(box_, &QComboBox::activated, this, [this](int index) {
-    if (index != choice_.chosen) emit edited(choice_.edits(index));
+    if (index == choice_.chosen) return;
+    if (choice_.is_keeps) return emit keepsChosen(static_cast<Keeps>(index));
+    emit edited(choice_.edits(index));
   });
   show_row(row);
 }

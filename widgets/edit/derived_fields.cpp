@@ -76,6 +76,17 @@ bool set_derived(Body& body, const std::string& key, double value) {
   return false;
 }
 
+bool set_derived(AppliedForce& force, const std::string& key, double value) {
+  if (key == "size") {
+    force.force = value * direction_at(direction_of(force.force));
+  } else if (key == "direction") {
+    force.force = force.force.norm() * direction_at(value);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 FormulaNames formula_names(const Body& body) {
   FormulaNames names;
   if (!has_infinite_mass(body)) names.push_back({"m", mass_of(body)});

@@ -19,6 +19,7 @@ namespace carom {
 
 // Changes the members so that the value of this key follows; false if it is none of these.
 bool set_derived(Body& body, const std::string& key, double value);
+bool set_derived(AppliedForce& force, const std::string& key, double value);
 
 // What formulas know of a body: m, r, x, y and v, as far as it has them.
 [[nodiscard]] FormulaNames formula_names(const Body& body);

@@ -12,6 +12,7 @@
 #include "physics/scene/scene.h"
 #include "widgets/edit/field_rows.h"
 #include "widgets/edit/quantity.h"
+#include "widgets/edit/reshaping.h"
 
 // What the inspector shows of a scene, and which edits its fields make; no widgets.
 namespace carom {
@@ -58,6 +59,7 @@ struct InspectedChoice {
   bool side_by_side = false;  // all words are seen
   QString refusal{};          // why no other word can be chosen, in one sentence
   QString remark{};           // after the word, in grey
+  bool is_keeps = false;      // what bodies keep that get another size; no edit
 };
 
 // The name of a part that may have one.
@@ -101,8 +103,10 @@ struct InspectedRow {
 [[nodiscard]] InspectedRow inspected_kind(const std::vector<Body>& bodies);
 
 // The values that all of these bodies have and lessons change, and their other ones.
-[[nodiscard]] std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& bodies);
-[[nodiscard]] std::vector<InspectedRow> more_of_bodies(const std::vector<Body>& bodies);
+[[nodiscard]] std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& bodies,
+                                                         Keeps keeps = Keeps::kDensity);
+[[nodiscard]] std::vector<InspectedRow> more_of_bodies(const std::vector<Body>& bodies,
+                                                       Keeps keeps = Keeps::kDensity);
 
 // Those of each shape of a compound, and its surface; the first ones of many. An edit leaves the others where
 // they are. For `unfolded` see inspected_corners.h.

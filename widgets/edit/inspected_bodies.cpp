@@ -21,6 +21,8 @@ using Bodies = std::shared_ptr<const std::vector<Body>>;
 // stand in none of them follow after these.
 constexpr const char* kMain = "";
 constexpr const char* kMore = "More";
+constexpr const char* kLengthOfWall = "shape/length";
+constexpr double kUsualLength = 1.0;  // m, of a half-plane that becomes a thin wall
 struct BodyLine {
   const char* section;
   const char* label;
@@ -35,7 +37,7 @@ constexpr auto kBodyLines = std::to_array<BodyLine>({
     {kMain, "Radius", "shape/radius"},
     {kMain, "Width", "shape/width"},
     {kMain, "Height", "shape/height"},
-    {kMain, "Length", "shape/length"},
+    {kMain, "Length", kLengthOfWall},
     {kMain, "Position", "position", true, "Move"},
     {kMain, "Angle", "angle", false, "Turn"},
     {kMain, "Speed", "speed"},
@@ -69,8 +71,9 @@ std::optional<double> value_at(const Body& body, const FieldRow& row) {
   return number == nullptr ? std::nullopt : std::optional(*number);
 }
 
-Body with_value(Body body, const FieldPlace& place, double value) {
+Body with_value(Body body, const FieldPlace& place, double value, Keeps keeps) {
   if (set_derived(body, place.key, value)) return body;
+  if (place.key.starts_with("shape/")) return resized(body, with_field(body, place, value).shape, keeps);
   if (place.key == "mass") body.density.reset();
   if (place.key == "density") body.mass.reset();
   return with_field(std::move(body), place, value);
@@ -92,17 +95,26 @@ struct LineWords {
 
 // The value of all bodies at the place; nothing if one has none.
 std::optional<Inspected> inspected_at(const LineWords& words, const FieldPlace& place, const Bodies& bodies,
-                                      const std::vector<std::vector<FieldRow>>& rows) {
+                                      const std::vector<std::vector<FieldRow>>& rows, Keeps keeps) {
   Inspected shown;
   for (std::size_t i = 0; i < bodies->size(); ++i) {
     const auto row =
         std::find_if(rows[i].begin(), rows[i].end(), [&](const FieldRow& r) { return r.place == place; });
-    const std::optional<double> value = row == rows[i].end() ? std::nullopt : value_at((*bodies)[i], *row);
+    if (row == rows[i].end()) return std::nullopt;
+    std::optional<double> value = value_at((*bodies)[i], *row);
+    if (!value && place.key == kLengthOfWall) {
+      value = kUsualLength;
+      shown.unset = "half-plane";
+    }
     if (!value) return std::nullopt;
     shown.values.push_back(*value);
     shown.formula_names.push_back(formula_names((*bodies)[i]));
     shown.meaning = row->meaning;
     shown.range = row->range;
+  }
+  if (place.key == kLengthOfWall) {
+    shown.emptied = NamedEdits{edits_of(*bodies, [](Body& body) { body.shape = Wall{}; }),
+                               QString("Make %1 a half-plane").arg(subject_of(*bodies))};
   }
   const auto rests = [](const Body& body) { return body.velocity.isZero(0.0); };
   if (place.key == "direction" && std::all_of(bodies->begin(), bodies->end(), rests))
@@ -111,10 +123,10 @@ std::optional<Inspected> inspected_at(const LineWords& words, const FieldPlace& 
   const QString component = place.part < 0 ? "" : place.part == 0 ? "x" : "y";
   shown.label = component;
   shown.name = words.label + (component.isEmpty() ? "" : " ") + component;
-  shown.edits = [bodies, place](const std::vector<double>& values) {
+  shown.edits = [bodies, place, keeps](const std::vector<double>& values) {
     SceneEdits edits;
     for (std::size_t i = 0; i < bodies->size(); ++i)
-      edits.emplace_back(Replace<Body>{with_value((*bodies)[i], place, values[i])});
+      edits.emplace_back(Replace<Body>{with_value((*bodies)[i], place, values[i], keeps)});
     return edits;
   };
   shown.undo_name = [act = words.act, bodies, name = shown.name, range = shown.range](
@@ -126,10 +138,10 @@ std::optional<Inspected> inspected_at(const LineWords& words, const FieldPlace& 
 
 // A row of the inspector with the line's values: one, or two components.
 InspectedRow row_of(const char* section, const LineWords& words, const std::vector<FieldPlace>& places,
-                    const Bodies& bodies, const std::vector<std::vector<FieldRow>>& rows) {
+                    const Bodies& bodies, const std::vector<std::vector<FieldRow>>& rows, Keeps keeps) {
   InspectedRow row{QString::fromUtf8(section), words.label, {}};
   for (const FieldPlace& place : places) {
-    if (auto value = inspected_at(words, place, bodies, rows)) row.values.push_back(*value);
+    if (auto value = inspected_at(words, place, bodies, rows, keeps)) row.values.push_back(*value);
   }
   return row;
 }
@@ -144,8 +156,8 @@ bool is_other(const FieldPlace& place) {
 // The rows of one section.
 class Lines {
  public:
-  Lines(const std::vector<Body>& bodies, std::string_view section)
-      : bodies_(std::make_shared<const std::vector<Body>>(bodies)) {
+  Lines(const std::vector<Body>& bodies, std::string_view section, Keeps keeps)
+      : bodies_(std::make_shared<const std::vector<Body>>(bodies)), keeps_(keeps) {
     rows_.reserve(bodies.size());
     for (const Body& body : bodies) rows_.push_back(all_rows(body));
     for (const BodyLine& line : kBodyLines) {
@@ -165,11 +177,12 @@ class Lines {
 
  private:
   void add(const char* section, const LineWords& words, const std::vector<FieldPlace>& places) {
-    InspectedRow row = row_of(section, words, places, bodies_, rows_);
+    InspectedRow row = row_of(section, words, places, bodies_, rows_, keeps_);
     if (!row.values.empty()) shown_.push_back(std::move(row));
   }
 
   Bodies bodies_;
+  Keeps keeps_;
   std::vector<std::vector<FieldRow>> rows_;  // of each body
   std::vector<InspectedRow> shown_;
 };
@@ -201,6 +214,33 @@ class VectorSum {
   double sizes_ = 0.0;
 };
 
+InspectedRow keeps_row(Keeps keeps) {
+  InspectedChoice choice;
+  choice.name = "Resized it keeps";
+  choice.meaning = "What stays when a body gets another size, by hand or by a typed number";
+  choice.words = {"keeps its density", "keeps its mass"};
+  choice.meanings = {"the mass follows the area", "the density changes"};
+  choice.chosen = static_cast<int>(keeps);
+  choice.is_keeps = true;
+  return {.section = kMore, .label = "Resized", .choice = choice};
+}
+
+InspectedRow group_row(const std::vector<Body>& bodies) {
+  const auto same = [&](const Body& body) { return body.group == bodies.front().group; };
+  const bool shared = std::all_of(bodies.begin(), bodies.end(), same);
+  InspectedName named;
+  named.name = "Group";
+  named.text = shared ? QString::fromStdString(bodies.front().group) : QString();
+  named.unset = shared ? "none" : "several";
+  named.edits = [bodies](const QString& group) {
+    const QString subject = subject_of(bodies);
+    return NamedEdits{edits_of(bodies, [&](Body& body) { body.group = group.toStdString(); }),
+                      group.isEmpty() ? QString("Take %1 out of the group").arg(subject)
+                                      : QString("Put %1 into group %2").arg(subject, group)};
+  };
+  return {.section = kMore, .label = "Group", .named = named};
+}
+
 }  // namespace
 
 std::vector<Body> bodies_named(const Scene& scene, const std::vector<std::string>& names) {
@@ -223,14 +263,17 @@ QString subject_of(const std::vector<Body>& bodies) {
   return QString("%1 bodies").arg(bodies.size());
 }
 
-std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& bodies) {
-  return Lines(bodies, kMain).take();
+std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& bodies, Keeps keeps) {
+  return Lines(bodies, kMain, keeps).take();
 }
 
-std::vector<InspectedRow> more_of_bodies(const std::vector<Body>& bodies) {
-  Lines lines(bodies, kMore);
+std::vector<InspectedRow> more_of_bodies(const std::vector<Body>& bodies, Keeps keeps) {
+  Lines lines(bodies, kMore, keeps);
   lines.add_others();
-  return lines.take();
+  std::vector<InspectedRow> rows = lines.take();
+  if (std::none_of(bodies.begin(), bodies.end(), has_infinite_mass)) rows.push_back(keeps_row(keeps));
+  rows.push_back(group_row(bodies));
+  return rows;
 }
 
 std::optional<Inspected> inspected_value(const Body& body, const FieldPlace& place) {
@@ -238,7 +281,7 @@ std::optional<Inspected> inspected_value(const Body& body, const FieldPlace& pla
                                  [&](const BodyLine& each) { return each.key == place.key; });
   if (line == kBodyLines.end()) return std::nullopt;
   return inspected_at({QString::fromUtf8(line->label), line->act}, place,
-                      std::make_shared<const std::vector<Body>>(1, body), {all_rows(body)});
+                      std::make_shared<const std::vector<Body>>(1, body), {all_rows(body)}, Keeps::kDensity);
 }
 
 NamedEdits renaming(const Body& body, const QString& name) {

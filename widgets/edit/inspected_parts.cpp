@@ -5,6 +5,9 @@
 
 #include "physics/math/vectors.h"
 #include "physics/scene/edit_rules.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/rounding.h"
+#include "widgets/edit/derived_fields.h"
 #include "widgets/edit/field_rows.h"
 #include "widgets/edit/units.h"
 
@@ -15,17 +18,18 @@ constexpr std::size_t kMostListed = 50;
 
 struct PartLine {
   const char* label;
-  const char* key;  // as its fields have it
-  bool is_end = false;
+  const char* key;  // as its fields have it, or of a value that follows from those
 };
 constexpr auto kPartLines = std::to_array<PartLine>({
-    {"Point", "point", true},
-    {"Anchor", "anchor", true},
+    {"Point", "point"},
+    {"Anchor", "anchor"},
     {"Length", "length"},
     {"Angle", "angle"},
     {"Rest length", "rest_length"},
     {"Stiffness", "stiffness"},
     {"Damping", "damping"},
+    {"Size", "size"},
+    {"Direction", "direction"},
     {"Force", "force"},
     {"Torque", "torque"},
     {"From", "start"},
@@ -84,7 +88,10 @@ QString title_of(const Scene& scene, const AppliedForce& force) {
 }
 
 QString point_text(const Vec2& point) {
-  return QString("(%1, %2) m").arg(field_text(point.x(), "m"), field_text(point.y(), "m"));
+  const double size = point.norm();
+  return QString("(%1, %2) m")
+      .arg(short_figure(without_rounding(point.x(), size), 3),
+           short_figure(without_rounding(point.y(), size), 3));
 }
 // "A", "A at (0.1, 0) m", "the plane at (0, 2) m".
 QString end_text(const std::string& body, const Vec2& point) {
@@ -131,8 +138,27 @@ Span span_of(const Scene& scene, const Joint& joint) {
   return span;
 }
 
+// An end at another place: what the other one holds goes with a pin and a weld, and a stated length follows.
+SceneEdits with_end(const Scene& scene, const Joint& before, Joint joint) {
+  const Span was = span_of(scene, before);
+  const Span now = span_of(scene, joint);
+  if (joint.kind == JointKind::kPin || joint.kind == JointKind::kWeld) {
+    const Vec2 moved = now.line - was.line;  // of one end from the other
+    if (joint.point != before.point) {
+      joint.anchor += turned_by(-now.to.angle, moved);
+    } else {
+      joint.point -= turned_by(-now.from.angle, moved);
+    }
+  } else if (joint.length) {
+    const double distance = now.line.norm();
+    joint.length = joint.kind == JointKind::kRod ? distance : std::max(*joint.length, distance);
+  }
+  return {Replace<Joint>{joint}};
+}
+
 // A rod of another length, or a string that is too short, takes its body along.
-SceneEdits with_bodies(const Scene& scene, const Joint& joint) {
+SceneEdits changed_part(const Scene& scene, const Joint& before, const Joint& joint) {
+  if (joint.point != before.point || joint.anchor != before.anchor) return with_end(scene, before, joint);
   SceneEdits edits;
   Span span = span_of(scene, joint);
   const double now = span.line.norm();
@@ -145,8 +171,16 @@ SceneEdits with_bodies(const Scene& scene, const Joint& joint) {
   return edits;
 }
 template <class Part>
-SceneEdits with_bodies(const Scene& /*scene*/, const Part& part) {
+SceneEdits changed_part(const Scene& /*scene*/, const Part& /*before*/, const Part& part) {
   return {Replace<Part>{part}};
+}
+
+template <class Part>
+Part with_number(Part part, const FieldPlace& place, double value) {
+  if constexpr (std::is_same_v<Part, AppliedForce>) {
+    if (set_derived(part, place.key, value)) return part;
+  }
+  return with_field(std::move(part), place, value);
 }
 
 Unset unset_of(const Scene& scene, const Joint& joint, const std::string& key) {
@@ -168,7 +202,7 @@ Inspected part_value(const Scene& scene, const Part& part, const PartLine& line,
   value.meaning = row.meaning;
   value.range = row.range;
   value.edits = [scene, part, place = row.place](const std::vector<double>& values) {
-    return with_bodies(scene, with_field(part, place, values[0]));
+    return changed_part(scene, part, with_number(part, place, values[0]));
   };
   const QString text = value.name + " of " + title_of(scene, part) + " ";
   value.undo_name = [text, unit = row.range.unit](const std::vector<double>& from,
@@ -225,10 +259,11 @@ InspectedPart shown_part(const Scene& scene, const Part& part) {
   InspectedPart shown{title_of(scene, part), kind_of(part), {}};
   if constexpr (requires { part.name; }) add_name(shown, part);
   shown.rows.push_back({.label = "Ends", .text = ends_of(part)});
-  const std::vector<FieldRow> rows = field_rows(part);
+  std::vector<FieldRow> rows = field_rows(part);
+  if constexpr (std::is_same_v<Part, AppliedForce>) {
+    for (FieldRow& row : derived_rows(part)) rows.push_back(std::move(row));
+  }
   for (const PartLine& line : kPartLines) {
-    // The ends of a joint are dragged: its length, or what it holds, goes with them.
-    if (std::is_same_v<Part, Joint> && line.is_end) continue;
     InspectedRow shown_row{.label = QString::fromUtf8(line.label)};
     for (const FieldRow& row : rows) {
       if (row.place.key == line.key) shown_row.values.push_back(part_value(scene, part, line, row));

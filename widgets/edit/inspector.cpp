@@ -250,11 +250,11 @@ std::vector<InspectedRow> Inspector::rows() const {
     add(listed_parts(*scene_));
   } else {
     rows.push_back(inspected_kind(bodies_));
-    add(inspected_bodies(bodies_));
+    add(inspected_bodies(bodies_, keeps_));
     add(inspected_surface(*scene_, bodies_));
     if (const QStringList derived = derived_texts(bodies_); !derived.isEmpty())
       rows.push_back({.text = derived.join("   "), .tip = derived_formulas(bodies_.size() > 1)});
-    add(more_of_bodies(bodies_));
+    add(more_of_bodies(bodies_, keeps_));
     if (bodies_.size() == 1) {
       add(inspected_shapes(*scene_, bodies_[0], unfolded_));
       if (!std::holds_alternative<Compound>(bodies_[0].shape))
@@ -382,6 +382,11 @@ InspectorRow* Inspector::add_row(const InspectedRow& row, int index) {
   });
   connect(widget, &InspectorRow::opened, this, [this](const PartId part) { open(part); });
   connect(widget, &InspectorRow::stopsAsked, this, &Inspector::stopsAsked);
+  connect(widget, &InspectorRow::keepsChosen, this, [this](Keeps keeps) {
+    keeps_ = keeps;
+    show_rows();
+    emit keepsChosen(keeps);
+  });
   connect(widget, &InspectorRow::folded, this, [this](const QString& list) { fold(list); });
   return widget;
 }

@@ -71,6 +71,8 @@ class Inspector : public QWidget {
   // Another duration (s) of the runs, as `edited` has it.
   void durationEdited(double duration, const QString& name, int drag);
   void stopsAsked();  // their editor
+  // What bodies are to keep, also those that the mouse gives another size.
+  void keepsChosen(carom::Keeps keeps);
 
   void left();            // by Esc: the keys are the scene's again
   void partOpened();      // part() was chosen here
@@ -112,6 +114,7 @@ class Inspector : public QWidget {
   std::optional<DurationAndStops> duration_and_stops_;
   std::vector<std::string> names_;
   std::optional<PartId> part_;
+  Keeps keeps_ = Keeps::kDensity;
   std::vector<Body> bodies_;
   std::optional<InspectedPart> shown_part_;
   std::set<QString> unfolded_;  // lists of the selection

@@ -43,6 +43,7 @@ class InspectorRow : public QWidget {
   void opened(const carom::PartId& part);
   void folded(const QString& list);
   void stopsAsked();
+  void keepsChosen(carom::Keeps keeps);
 
  protected:
   InspectorRow(const InspectedRow& row, QLabel* label, QWidget* parent);

@@ -19,19 +19,47 @@ Vec2 written_centre(const Shape& shape) {
 
 }  // namespace
 
-Body resized(const Body& body, const Shape& shape) {
+Body resized(const Body& body, const Shape& shape, Keeps keeps) {
   Body out = body;
   out.shape = shape;
   const double grown = area(shape) / area(body.shape);
   if (!std::isfinite(grown) || grown == 0.0) return out;
-  if (out.mass) *out.mass *= grown;
-  if (out.inertia) *out.inertia *= grown * inertia_per_mass(shape) / inertia_per_mass(body.shape);
+  const double heavier = keeps == Keeps::kDensity ? grown : 1.0;
+  if (out.mass) *out.mass *= heavier;
+  if (out.inertia) *out.inertia *= heavier * inertia_per_mass(shape) / inertia_per_mass(body.shape);
+  if (keeps == Keeps::kMass && !out.mass && !has_infinite_mass(body)) {
+    out.mass = mass_of(body);
+    out.density.reset();
+  }
   return out;
 }
 
 Vec2 centre_of(const Polygon& polygon) {
   if (fault_of(polygon.vertices, polygon.rounding)) return Vec2::Zero();
   return moments_of(tidied(polygon.vertices), polygon.rounding).centroid;
+}
+
+SceneEdits kept_ends(const Attached& attached, const std::string& body, const Vec2& moved) {
+  SceneEdits edits;
+  for (Joint joint : attached.joints) {
+    const bool own = joint.body == body;
+    if (!own && joint.to != body) continue;
+    if (joint.id.number == 0) continue;  // a run has made it
+    (own ? joint.point : joint.anchor) -= moved;
+    edits.emplace_back(Replace<Joint>{joint});
+  }
+  for (Spring spring : attached.springs) {
+    Vec2* end = spring.body == body ? &spring.point : spring.to == body ? &spring.anchor : nullptr;
+    if (end == nullptr || end->isZero(0.0)) continue;
+    *end -= moved;
+    edits.emplace_back(Replace<Spring>{spring});
+  }
+  for (AppliedForce force : attached.applied) {
+    if (force.body != body || force.point.isZero(0.0)) continue;
+    force.point -= moved;
+    edits.emplace_back(Replace<AppliedForce>{force});
+  }
+  return edits;
 }
 
 SceneEdits reshaping(const Attached& attached, const Body& body, Body changed) {
@@ -41,24 +69,7 @@ SceneEdits reshaping(const Attached& attached, const Body& body, Body changed) {
   changed.velocity += body.spin * crossed(shift);
   SceneEdits edits{Replace<Body>{std::move(changed)}};
   if (moved.isZero(0.0)) return edits;
-  for (Joint joint : attached.joints) {
-    const bool own = joint.body == body.name;
-    if (!own && joint.to != body.name) continue;
-    if (joint.id.number == 0) continue;  // a run has made it
-    (own ? joint.point : joint.anchor) -= moved;
-    edits.emplace_back(Replace<Joint>{joint});
-  }
-  for (Spring spring : attached.springs) {
-    Vec2* end = spring.body == body.name ? &spring.point : spring.to == body.name ? &spring.anchor : nullptr;
-    if (end == nullptr || end->isZero(0.0)) continue;
-    *end -= moved;
-    edits.emplace_back(Replace<Spring>{spring});
-  }
-  for (AppliedForce force : attached.applied) {
-    if (force.body != body.name || force.point.isZero(0.0)) continue;
-    force.point -= moved;
-    edits.emplace_back(Replace<AppliedForce>{force});
-  }
+  for (SceneEdit& edit : kept_ends(attached, body.name, moved)) edits.push_back(std::move(edit));
   return edits;
 }
 

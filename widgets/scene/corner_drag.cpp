@@ -6,7 +6,6 @@
 
 #include "physics/math/vectors.h"
 #include "physics/scene/polygon.h"
-#include "widgets/edit/reshaping.h"
 #include "widgets/scene/edit_names.h"
 
 namespace carom {
@@ -20,18 +19,13 @@ QString fault_text(const Polygon& polygon) {
   return polygon.rounding > 0.0 ? QStringLiteral("rounded bodies are convex") : QStringLiteral("edges cross");
 }
 
-// What is at the body, as it was.
-void put_back_attached(const DragStart& start, Dragged& out) {
-  const std::string& name = start.bodies[0].name;
-  for (const Joint& joint : start.joints) {
-    if (joint.body == name || joint.to == name) out.joints.push_back(joint);
-  }
-  for (const Spring& spring : start.forces.springs) {
-    if (spring.body == name || spring.to == name) out.forces.emplace_back(Replace<Spring>{spring});
-  }
-  for (const AppliedForce& force : start.forces.applied) {
-    if (force.body == name) out.forces.emplace_back(Replace<AppliedForce>{force});
-  }
+Attached attached_at(const DragStart& start) {
+  return {start.joints, start.forces.springs, start.forces.applied};
+}
+
+// What has its ends on the body, as it was.
+SceneEdits attached_before(const DragStart& start) {
+  return kept_ends(attached_at(start), start.bodies[0].name, Vec2::Zero());
 }
 
 // As they were.
@@ -39,7 +33,7 @@ void refuse_corner(const DragStart& start, const Polygon& polygon, const Vec2& a
   const std::size_t count = polygon.vertices.size();
   const Body& body = start.bodies[0];
   out.bodies = {body};
-  put_back_attached(start, out);
+  out.attached = attached_before(start);
   for (const std::size_t beside : {start.corner + count - 1, start.corner + 1})
     out.refused.emplace_back(corner_at(body, beside % count), at);
   out.value = fault_text(polygon);
@@ -64,19 +58,10 @@ Dragged with_corner(const DragStart& start, const Vec2& at, double scale) {
     refuse_corner(start, polygon, at, out);
     return out;
   }
-  const Attached attached{start.joints, start.forces.springs, start.forces.applied};
-  const SceneEdits edits = reshaping(attached, body, resized(body, polygon));
-  for (const SceneEdit& edit : edits) {
-    if (const auto* changed = std::get_if<Replace<Body>>(&edit)) {
-      out.bodies = {changed->part};
-    } else if (const auto* joint = std::get_if<Replace<Joint>>(&edit)) {
-      out.joints.push_back(joint->part);
-    } else {
-      out.forces.push_back(edit);
-    }
-  }
-  if (edits.size() == 1) put_back_attached(start, out);
-  out.refits = !out.joints.empty();
+  SceneEdits edits = reshaping(attached_at(start), body, resized(body, polygon, start.keeps));
+  out.bodies = {std::get<Replace<Body>>(edits.front()).part};
+  edits.erase(edits.begin());
+  out.attached = edits.empty() ? attached_before(start) : std::move(edits);
   out.value = place_text(at, scale);
   if (!has_infinite_mass(body)) out.detail = QStringLiteral("m = %1 kg").arg(mass_of(out.bodies[0]), 0, 'g', 3);
   return out;

@@ -9,7 +9,6 @@
 #include <variant>
 
 #include "physics/math/vectors.h"
-#include "widgets/edit/reshaping.h"
 #include "widgets/scene/corner_drag.h"
 #include "widgets/scene/edit_names.h"
 #include "widgets/scene/level.h"
@@ -157,7 +156,7 @@ Dragged resize_disc(const DragStart& start, const DragPoint& point, const Disc& 
       ((point.at - body.position).norm() - (start.press - body.position).norm()) / std::numbers::sqrt2;
   const double radius = drawn_length(disc.radius + outwards, point);
   Dragged out;
-  out.bodies = {resized(body, Disc{radius})};
+  out.bodies = {resized(body, Disc{radius}, start.keeps)};
   out.value = size_text(out.bodies[0].shape, point);
   return out;
 }
@@ -168,7 +167,7 @@ Dragged resize_wall(const DragStart& start, const DragPoint& point, double befor
   const Vec2 outwards = turned_by(body.angle, side_of(start.kind));
   const double length = drawn_length(before + outwards.dot(point.at - start.press), point);
   Dragged out;
-  out.bodies = {resized(body, Wall{length})};
+  out.bodies = {resized(body, Wall{length}, start.keeps)};
   out.bodies[0].position += 0.5 * (length - before) * outwards;
   out.value = size_text(out.bodies[0].shape, point);
   return out;
@@ -191,7 +190,7 @@ Dragged resize_box(const DragStart& start, const DragPoint& point, const Box& bo
     size[1 - lead] = before[1 - lead] * grown[lead];
   }
   Dragged out;
-  out.bodies = {resized(body, Box{size.x(), size.y()})};
+  out.bodies = {resized(body, Box{size.x(), size.y()}, start.keeps)};
   out.bodies[0].position += turned * (0.5 * side.cwiseProduct(size - before));
   out.value = size_text(out.bodies[0].shape, point);
   return out;

@@ -8,6 +8,7 @@
 
 #include "physics/scene/edit.h"
 #include "physics/scene/scene.h"
+#include "widgets/edit/reshaping.h"
 #include "widgets/scene/handles.h"
 #include "widgets/scene/joint_hold.h"
 
@@ -23,8 +24,9 @@ struct DragStart {
   double grid = 0.0;              // m, spacing; 0: none to snap to
   std::vector<Body> followers{};  // that joints make one with them, and that are none of the others
   std::vector<Joint> joints{};    // of the scene
+  Keeps keeps{};                  // as a body gets another size
   std::size_t corner{};           // of kCorner, among the polygon's vertices
-  Forces forces{};                // of the scene, of kCorner
+  Forces forces{};                // of the scene
   WorldRect seen{};               // m: what is snapped to is in here
 };
 
@@ -52,10 +54,10 @@ struct Dragged {
   bool fault = false;                              // what the bubble says can't be
   std::vector<Overlap> overlaps{};                 // the deepest first
   std::optional<std::pair<Vec2, Vec2>> blocked{};  // m, the ends of a joint that allows nothing
-  std::vector<std::pair<Vec2, Vec2>> refused{};    // m, edges that the body can\'t have
+  std::vector<std::pair<Vec2, Vec2>> refused{};    // m, edges that the body can't have
   std::vector<Joint> joints{};                     // that hold the bodies
   bool refits = false;                             // some of them are changed
-  SceneEdits forces{};                             // of springs and forces, whose ends stay in their places
+  SceneEdits attached{};                           // of what has its ends on a body that is resized
 };
 
 [[nodiscard]] Dragged drag_to(const DragStart& start, const DragPoint& point);

@@ -21,6 +21,14 @@ bool resizes(const DragStart& start) {
          start.kind != HandleKind::kVelocity && start.kind != HandleKind::kSpin;
 }
 
+// Springs and forces stay where they are in the scene when a handle moves the centre of their body.
+void keep_ends(const DragStart& start, Dragged& dragged) {
+  if (!resizes(start)) return;
+  const Body& body = start.bodies[0];
+  const Vec2 moved = turned_by(-body.angle, dragged.bodies[0].position - body.position);
+  dragged.attached = kept_ends({{}, start.forces.springs, start.forces.applied}, body.name, moved);
+}
+
 DragPoint finely(DragPoint point) {
   point.snapping = false;
   return point;
@@ -250,7 +258,12 @@ std::optional<Dragged> corner_backed_off(const DragStart& start, const Dragged& 
 
 std::optional<std::vector<Body>> shrunk(const DragStart& start, std::span<const Body> bodies,
                                         const Surroundings& neighbours, std::span<const Hold> holds) {
-  const std::vector<Body> less = grown_to_touch(start.bodies, bodies, neighbours);
+  std::vector<Body> less = grown_to_touch(start.bodies, bodies, neighbours);
+  for (std::size_t k = 0; k < less.size(); ++k) {
+    const Vec2 position = less[k].position;
+    less[k] = resized(start.bodies[k], less[k].shape, start.keeps);
+    less[k].position = position;
+  }
   std::optional<std::vector<Body>> kept = held(start.bodies, less, holds, start.press);
   if (!kept || !overlaps_of(*kept, neighbours).empty()) return std::nullopt;
   return kept;
@@ -285,6 +298,7 @@ Dragged within_joints(const DragStart& start, Dragged wanted, const DragPoint& p
     return wanted;
   }
   hold_by_joints(start, holds, point, wanted);
+  keep_ends(start, wanted);
   say_overlap(start, point, wanted);
   return wanted;
 }
@@ -310,6 +324,7 @@ std::optional<Dragged> without_overlaps(const DragStart& start, const Dragged& d
                                                       : parted(start, dragged.bodies, neighbours, holds);
   if (!bodies) return std::nullopt;
   out.bodies = *bodies;
+  keep_ends(start, out);
   say_value(start, point, out);
   if (start.kind == HandleKind::kTurn) out.value = angle_text(out.bodies[0].angle);
   out.detail = touching;
@@ -324,7 +339,7 @@ SceneEdits edits_of(const Dragged& change, bool joints) {
   for (const Joint& joint : change.joints) {
     if (joints && joint.id.number != 0) edits.emplace_back(Replace<Joint>{joint});
   }
-  edits.insert(edits.end(), change.forces.begin(), change.forces.end());
+  edits.insert(edits.end(), change.attached.begin(), change.attached.end());
   return edits;
 }
 

@@ -293,7 +293,7 @@ void add_applied_forces(const DrawingInput& in, const WorldRect& seen, Drawing& 
     const Vec2 at = place_of(in, i, applied.point);
     const Vec2 force = share * applied.force;
     const Vec2 arrow = force * in.arrows.metres_per_newton;
-    const double reach = arrow.norm() + 2 * bounding_radius(body_of(in, i).shape);
+    const double reach = arrow.norm() + applied.point.norm() + 2 * bounding_radius(body_of(in, i).shape);
     if (!seen.meets(at, reach)) continue;
     if (arrow.norm() * in.camera.scale >= kLeastForceArrow) {
       out.arrows.push_back({at, at + arrow, color, kForceWidth * in.options.line_scale});

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "physics/math/vectors.h"
+#include "physics/scene/edit_rules.h"
 
 namespace carom {
 namespace {
@@ -158,6 +159,22 @@ std::vector<Body> as_joined(const Scene& scene, const Joint& joint) {
       changed.push_back(bodies[i]);
   }
   return changed;
+}
+
+SceneEdits with_joined(const Scene& scene, SceneEdits edits) {
+  SceneEdits held;
+  for (const SceneEdit& edit : edits) {
+    const auto* moved = std::get_if<Replace<Joint>>(&edit);
+    const Joint* before = moved == nullptr ? nullptr : part_of(scene.joints, moved->part.id);
+    if (before == nullptr) continue;
+    if (before->point == moved->part.point && before->anchor == moved->part.anchor) continue;
+    Scene after = scene;
+    apply_edits(after, {edit});
+    const Joint& joint = *part_of(after.joints, moved->part.id);
+    for (const Body& body : as_joined(after, joint)) held.emplace_back(Replace<Body>{body});
+  }
+  edits.insert(edits.end(), held.begin(), held.end());
+  return edits;
 }
 
 }  // namespace carom

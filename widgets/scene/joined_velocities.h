@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/scene/edit.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -18,5 +19,8 @@ std::vector<std::size_t> hold_joined_velocities(const Scene& scene, std::span<Bo
 // that momentum stays where nothing is held by the plane or a fixed body. None of a string, which may part its
 // ends.
 [[nodiscard]] std::vector<Body> as_joined(const Scene& scene, const Joint& joint);
+
+// These edits, and those of the bodies that joints among them, at other places than before, hold.
+[[nodiscard]] SceneEdits with_joined(const Scene& scene, SceneEdits edits);
 
 }  // namespace carom

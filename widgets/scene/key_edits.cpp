@@ -124,7 +124,7 @@ std::optional<KeyEdit> key_edit(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 std::vector<Body> edited_by_key(std::span<const Body> bodies, int key, Qt::KeyboardModifiers modifiers,
-                                double step) {
+                                double step, Keeps keeps) {
   std::vector<Body> after(bodies.begin(), bodies.end());
   const std::optional<KeyEdit> edit = key_edit(key, modifiers);
   if (!edit) return after;
@@ -145,7 +145,7 @@ std::vector<Body> edited_by_key(std::span<const Body> bodies, int key, Qt::Keybo
         break;
       }
       case KeyEdit::kResize:
-        body = resized(body, scaled(body.shape, key == Qt::Key_Minus ? 1.0 / kLarger : kLarger));
+        body = resized(body, scaled(body.shape, key == Qt::Key_Minus ? 1.0 / kLarger : kLarger), keeps);
         break;
       case KeyEdit::kRest:
         body.velocity.setZero();

@@ -10,6 +10,7 @@
 #include "physics/scene/edit.h"
 #include "physics/scene/part_id.h"
 #include "physics/scene/scene.h"
+#include "widgets/edit/reshaping.h"
 
 namespace carom {
 
@@ -20,7 +21,8 @@ enum class KeyEdit { kMove, kVelocity, kTurn, kResize, kRest, kReverse };
 [[nodiscard]] std::optional<KeyEdit> key_edit(int key, Qt::KeyboardModifiers modifiers);
 // The bodies after it; `step` (m) is that of a move.
 [[nodiscard]] std::vector<Body> edited_by_key(std::span<const Body> bodies, int key,
-                                              Qt::KeyboardModifiers modifiers, double step);
+                                              Qt::KeyboardModifiers modifiers, double step,
+                                              Keeps keeps = Keeps::kDensity);
 [[nodiscard]] QString name_of(KeyEdit edit, std::span<const Body> before, std::span<const Body> after);
 
 // The value that it changed, with its unit; `scale` in px/m.

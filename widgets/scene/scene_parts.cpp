@@ -12,9 +12,16 @@ namespace {
 
 constexpr double kReach = 6.0;  // px, of a click
 
-const Joint* find(const Scene& scene, Id<Joint> id) { return part_of(scene.joints, id); }
-const Spring* find(const Scene& scene, Id<Spring> id) { return part_of(scene.forces.springs, id); }
-const AppliedForce* find(const Scene& scene, Id<AppliedForce> id) { return part_of(scene.forces.applied, id); }
+const std::vector<Joint>& list_of(const Scene& scene, Id<Joint> /*id*/) { return scene.joints; }
+const std::vector<Spring>& list_of(const Scene& scene, Id<Spring> /*id*/) { return scene.forces.springs; }
+const std::vector<AppliedForce>& list_of(const Scene& scene, Id<AppliedForce> /*id*/) {
+  return scene.forces.applied;
+}
+
+template <class Part>
+const Part* find(const Scene& scene, Id<Part> id) {
+  return part_of(list_of(scene, id), id);
+}
 
 std::optional<PartLine> line_of(const Frame& frame, const Joint& joint, double /*metres_per_newton*/) {
   PartLine line{place_of(frame, {joint.to, joint.anchor}), place_of(frame, {joint.body, joint.point})};
@@ -45,6 +52,18 @@ double distance_to(const PartLine& line, const Vec2& point) {
 
 bool has_part(const Scene& scene, const PartId& part) {
   return std::visit([&](const auto& id) { return find(scene, id) != nullptr; }, part);
+}
+
+PartId newest_like(const Scene& scene, const PartId& part) {
+  return std::visit(
+      [&scene](auto newest) -> PartId {
+        newest = {};
+        for (const auto& each : list_of(scene, newest)) {
+          if (each.id.number > newest.number) newest = each.id;
+        }
+        return newest;
+      },
+      part);
 }
 
 std::optional<PartLine> line_of(const Frame& frame, const PartId& part, double metres_per_newton) {

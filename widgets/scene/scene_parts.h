@@ -17,6 +17,8 @@ struct PartLine {
 };
 
 [[nodiscard]] bool has_part(const Scene& scene, const PartId& part);
+// The last one of the same kind; of number 0 if there is none.
+[[nodiscard]] PartId newest_like(const Scene& scene, const PartId& part);
 // Nothing without a scene, and for a force that does not act now. `metres_per_newton` is the length of arrows.
 [[nodiscard]] std::optional<PartLine> line_of(const Frame& frame, const PartId& part, double metres_per_newton);
 // The part whose line is nearest to a point of the screen, and near enough for a click.

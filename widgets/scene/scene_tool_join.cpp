@@ -30,6 +30,7 @@ std::optional<LinkEnds> SceneTools::drawn_ends() const {
 // At the press of a drag.
 void SceneTools::begin_link() {
   const JointTool& tool = *joint_tool(tool_);
+  if (tool_ == SceneTool::kDrive && plays()) emit pauseRequested();  // it replaces the body as it stands
   if (sight_().frame && !first_end_ && !tool.one_click) first_end_ = end_at_mouse(tool, joint_sight(press_));
 }
 
@@ -57,10 +58,41 @@ void SceneTools::join(const LinkEnds& ends) {
   const Joined joined = tool.join(tool, joint_sight(mouse_), ends);
   if (!joined.fault.isEmpty()) return note({joined.fault, {}, mouse_, press_, true});
   first_end_.reset();
+  await_part(joined.edits);
+  const bool awaits = awaited_part_.has_value();
   const QString refusal = own_edit(joined.edits, joined.name, ++drags_);
-  if (!refusal.isEmpty()) return note(refusal_bubble(refusal, mouse_, press_));
-  note({joined.value, joined.detail, mouse_, press_});
+  if (!refusal.isEmpty()) {
+    awaited_part_.reset();
+    return note(refusal_bubble(refusal, mouse_, press_));
+  }
+  note({joined.value, joined.detail, mouse_, press_},
+       awaits ? std::optional(Grab{HandleKind::kBody, {}}) : std::nullopt);
   used_tool();
+}
+
+// The part that these edits make takes what is typed, once it is shown.
+void SceneTools::await_part(const SceneEdits& edits) {
+  awaited_part_.reset();
+  made_part_.reset();
+  const std::shared_ptr<const Scene> scene = sight_().frame->scene;
+  if (!scene) return;  // a run plays: it pauses for the edit
+  for (const SceneEdit& edit : edits) {
+    if (std::holds_alternative<Add<Joint>>(edit)) awaited_part_ = newest_like(*scene, Id<Joint>{});
+    if (std::holds_alternative<Add<Spring>>(edit)) awaited_part_ = newest_like(*scene, Id<Spring>{});
+    if (std::holds_alternative<Add<AppliedForce>>(edit))
+      awaited_part_ = newest_like(*scene, Id<AppliedForce>{});
+  }
+}
+
+void SceneTools::find_made_part() {
+  const std::shared_ptr<const Frame> frame = sight_().frame;
+  if (!awaited_part_ || !frame || !frame->scene) return;
+  const PartId newest = newest_like(*frame->scene, *awaited_part_);
+  if (newest == *awaited_part_) return;
+  awaited_part_.reset();
+  made_part_ = newest;
+  const QString typed = std::exchange(typed_ahead_, {});
+  if (!typed.isEmpty()) type_value_of({HandleKind::kBody, {}}, note_, typed);
 }
 
 // The selected bodies, or one of them and the plane.
@@ -99,6 +131,9 @@ void SceneTools::show_joining(Overlay& out) const {
 // --- the chosen one
 
 void SceneTools::choose(const std::optional<PartId>& part) {
+  awaited_part_.reset();
+  made_part_.reset();
+  typed_ahead_.clear();
   if (part == part_) return;
   if (part) set_selection({});
   part_ = part;

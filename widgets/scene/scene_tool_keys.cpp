@@ -112,6 +112,7 @@ void SceneTools::edit_by_key(int key, Qt::KeyboardModifiers keys) {
 
 bool SceneTools::escape() {
   waiting_keys_.clear();
+  typed_ahead_.clear();
   if (dragging() && emitted_) emit dragCancelled(drags_);
   if (state_ == State::kHand) end_hand();
   if (state_ != State::kNone || has_draft()) {
@@ -178,7 +179,7 @@ void SceneTools::edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys) 
   const Camera camera = sight_().camera;
   Dragged wanted;
   const double step = snapping_ ? grid_spacing(camera) : step_not_above(1.0 / camera.scale);
-  wanted.bodies = edited_by_key(row_.start.bodies, key, keys, step);
+  wanted.bodies = edited_by_key(row_.start.bodies, key, keys, step, keeps_);
   wanted.value = value_of(kind, wanted.bodies.front(), camera.scale);
   wanted.name = name_of(kind, row_.before, wanted.bodies);
   row_.since.start();

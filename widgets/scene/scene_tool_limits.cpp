@@ -20,9 +20,10 @@ DragStart SceneTools::start_of(const Grab& grab, std::vector<Body> bodies) const
                   .press = sight.camera.to_world(press_),
                   .arrow_seconds = sight.arrow_seconds,
                   .grid = sight.grid ? grid_spacing(sight.camera) : 0.0,
+                  .keeps = keeps_,
                   .corner = grab.corner,
+                  .forces = sight.frame->scene->forces,
                   .seen = sight.camera.visible()};
-  if (grab.kind == HandleKind::kCorner) start.forces = sight.frame->scene->forces;
   Surroundings beside{{}, sight.frame->scene->joints};
   std::unordered_set<std::string> edited;
   for (const Body& body : start.bodies) edited.insert(body.name);

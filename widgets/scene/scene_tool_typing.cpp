@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "widgets/base/method_names.h"
@@ -15,15 +17,27 @@ namespace {
 
 QString first_unit(std::string_view si) { return text_of(units_of(si).front().name); }
 
+// Tools whose joint, spring or force has a length or a size.
+constexpr auto kLinksWithValue =
+    std::to_array({SceneTool::kRod, SceneTool::kString, SceneTool::kSpring, SceneTool::kForce});
+
+bool has_values(const TypedThing* thing) { return thing != nullptr && !thing->values().empty(); }
+
 }  // namespace
 
 bool SceneTools::types_in_drag(int key, Qt::KeyboardModifiers keys) const {
   const ShapeTool* tool = shape_tool(tool_);
-  const bool draws = state_ == State::kDraw && tool != nullptr && !tool->by_corners;
-  if (state_ != State::kDrag && state_ != State::kEnd && !draws) return false;
+  const bool draws =
+      state_ == State::kDraw && ((tool != nullptr && !tool->by_corners) || draws_link_with_value());
+  const bool follows = !typed_ahead_.isEmpty();
+  if (state_ != State::kDrag && state_ != State::kEnd && !draws && !follows) return false;
   if (keys.testFlag(Qt::ControlModifier) || keys.testFlag(Qt::AltModifier)) return false;
   const bool digit = key >= Qt::Key_0 && key <= Qt::Key_9;
   return digit || key == Qt::Key_Minus || key == Qt::Key_Period || key == Qt::Key_Comma;
+}
+
+bool SceneTools::draws_link_with_value() const {
+  return std::find(kLinksWithValue.begin(), kLinksWithValue.end(), tool_) != kLinksWithValue.end();
 }
 
 // Into the value that stands beside the mouse after a drag, and not after keys, which may go on. The other keys
@@ -41,7 +55,7 @@ std::optional<SceneTools::Typed> SceneTools::typed() const {
 }
 
 void SceneTools::begin_typing(Typing typing, const QString& first) {
-  if (typing.thing == nullptr || typing.thing->values().empty()) return;
+  if (!has_values(typing.thing.get())) return;
   end_note();
   row_ = {};
   typing_ = std::make_shared<Typing>(std::move(typing));
@@ -51,8 +65,9 @@ void SceneTools::begin_typing(Typing typing, const QString& first) {
 
 // What the mouse holds stays where it is, until the button is let go.
 void SceneTools::type_in_drag(const QString& first) {
-  if (state_ == State::kDraw) return type_in_drawing(first);
-  const bool end = std::exchange(state_, State::kMute) == State::kEnd;
+  if (!typed_ahead_.isEmpty()) return void(typed_ahead_ += first);
+  if (state_ == State::kDraw) return draws_link_with_value() ? type_in_link(first) : type_in_drawing(first);
+  const bool end = state_ == State::kEnd;
   Typing typing;
   typing.bubble = {{}, end ? moved_end_.detail : dragged_.detail, mouse_, press_, false};
   typing.drag = drags_;
@@ -67,7 +82,22 @@ void SceneTools::type_in_drag(const QString& first) {
     typing.thing = typed_body(start_, dragged_.bodies[0], sight_().camera.scale);
     if (emitted_) typing.last = Typing::Last{edits_as_seen(dragged_, refitted_), dragged_.name};
   }
+  // An end that lies on the other one has no length to type: its drag goes on.
+  if (!has_values(typing.thing.get())) return;
+  state_ = State::kMute;
   begin_typing(std::move(typing), first);
+}
+
+// What is drawn is made as it is now, and its length or force is typed.
+void SceneTools::type_in_link(const QString& first) {
+  end_link();
+  state_ = State::kMute;
+  if (!note_of_) return;
+  if (awaited_part_) {
+    typed_ahead_ = first;
+  } else {
+    type_value_of(*note_of_, note_, first);
+  }
 }
 
 void SceneTools::type_in_drawing(const QString& first) {
@@ -89,8 +119,9 @@ void SceneTools::type_value_of(const Grab& target, const Bubble& where, const QS
   typing.target = target;
   typing.bubble = {{}, {}, where.mouse, where.from, false};
   if (target.body.empty()) {
-    if (!part_) return;
-    typing.thing = typed_part(*sight.frame->scene, *part_);
+    const std::optional<PartId>& part = part_ ? part_ : made_part_;
+    if (!part || !has_part(*sight.frame->scene, *part)) return;
+    typing.thing = typed_part(*sight.frame->scene, *part);
   } else {
     if (!selection_.contains(target.body)) set_selection({target.body});
     if (locked_.contains(target.body)) return say_locked(target.body);
@@ -106,7 +137,7 @@ void SceneTools::type_value_of(const Grab& target, const Bubble& where, const QS
 
 // What a double click means where a drag could begin.
 bool SceneTools::type_at(const QPointF& at) {
-  if (tool_ != SceneTool::kSelect) return false;
+  if (tool_ != SceneTool::kSelect && !grab_) return false;
   const Bubble where{{}, {}, at, at, false};
   if (end_ || (part_ && part_under(at) == part_)) {
     type_value_of({HandleKind::kBody, {}}, where);

@@ -153,10 +153,12 @@ void SceneTools::frame_changed() {
   // What is said of a value ends as the run goes on; a sentence on what can't be stays.
   if (!frame || (!frame->scene && note_of_)) end_note();
   const bool draws = frame && typing_ && typing_->drawing;
-  const bool typed = frame && frame->scene && typing_ &&
-                     (typing_->target.body.empty() ? part_.has_value() : index_.contains(typing_->target.body));
+  const bool typed =
+      frame && frame->scene && typing_ &&
+      (typing_->target.body.empty() ? part_ || made_part_ : index_.contains(typing_->target.body));
   if (!typed && !draws) drop_typing();
   select_awaited();
+  find_made_part();
   if (!frame) waiting_keys_.clear();
   if (!waiting_keys_.empty() && awaited_.empty() && frame->scene)
     QTimer::singleShot(0, this, &SceneTools::press_waiting_keys);
@@ -215,9 +217,42 @@ std::optional<SceneTools::Grab> SceneTools::grab_at(const QPointF& at) const {
   if (const auto handle = handle_at(handles(sight), at)) {
     return Grab{handle->kind, selection_.names()[handle->body], handle->corner};
   }
-  const int body = body_at(*sight.frame, sight.camera, at);
-  if (body < 0) return std::nullopt;
-  return Grab{HandleKind::kBody, (*sight.frame->bodies)[static_cast<std::size_t>(body)].name};
+  const std::vector<std::string> names = names_at(at);
+  if (names.empty()) return std::nullopt;
+  const auto selected = selected_among(names);
+  const bool clicked = was_clicked(at) && selected != names.end();
+  return Grab{HandleKind::kBody, clicked ? *selected : names.front()};
+}
+
+// Whether the last click that selected a body was there.
+bool SceneTools::was_clicked(const QPointF& at) const {
+  return clicked_ && QLineF(*clicked_, at).length() < kDragBegins;
+}
+
+std::vector<std::string>::const_iterator SceneTools::selected_among(
+    const std::vector<std::string>& names) const {
+  return std::find_if(names.begin(), names.end(),
+                      [this](const std::string& name) { return selection_.contains(name); });
+}
+
+// Of the bodies there, the topmost first.
+std::vector<std::string> SceneTools::names_at(const QPointF& at) const {
+  const SceneSight sight = sight_();
+  std::vector<std::string> names;
+  for (const int i : bodies_at(*sight.frame, sight.camera, at)) {
+    names.push_back((*sight.frame->bodies)[static_cast<std::size_t>(i)].name);
+  }
+  return names;
+}
+
+// The topmost body at the press; after a click on the same spot that selected one, the next one below that.
+std::string SceneTools::clicked_body() {
+  const std::vector<std::string> names = names_at(press_);
+  const auto selected = selected_among(names);
+  const bool next = was_clicked(press_) && selection_.names().size() == 1 && selected != names.end();
+  clicked_ = press_;
+  if (names.empty()) return grab_->body;
+  return next && selected + 1 != names.end() ? *(selected + 1) : names.front();
 }
 
 DragPoint SceneTools::point(Qt::KeyboardModifiers keys) const {
@@ -229,6 +264,7 @@ void SceneTools::press(const QPointF& at, bool repeated) {
   row_ = {};
   end_note();
   press_ = mouse_ = at;
+  const bool grabbed_before = grab_.has_value();
   grab_ = grab_at(at);
   pressed_.reset();
   if (grab_ && plays()) pressed_ = body_now(*sight_().frame, index_.at(grab_->body));
@@ -237,7 +273,7 @@ void SceneTools::press(const QPointF& at, bool repeated) {
   end_ = end_under(at);
   over_ = true;
   // The second click of a double click closes a polygon; it would hit the body of the first.
-  const bool used = repeated && tool_ != SceneTool::kSelect;
+  const bool used = repeated && tool_ != SceneTool::kSelect && !(grabbed_before && grab_);
   if (repeated && !draft_.empty()) close_polygon();
   state_ = used ? State::kMute : State::kPressed;
   repeated_ = repeated;
@@ -387,7 +423,7 @@ void SceneTools::click(Qt::KeyboardModifiers keys) {
     if (shift) {
       next.toggle(grab_->body);
     } else {
-      next.set({grab_->body});
+      next.set({clicked_body()});
     }
     set_selection(next.names());
   } else if (!grab_ && joint_tool(tool_) != nullptr) {
@@ -409,6 +445,7 @@ void SceneTools::pick(const QPointF& at) {
   const auto under = part_at(*sight.frame, sight.camera, at, sight.metres_per_newton);
   if (part_ && under == part_) return;
   if (const auto part = part_under(at)) return choose(part);
+  if (handle_at(handles(sight), at)) return;  // of a selected body
   const int body = body_at(*sight.frame, sight.camera, at);
   if (body < 0) return set_selection({});
   const std::string& name = (*sight.frame->bodies)[static_cast<std::size_t>(body)].name;

@@ -75,6 +75,8 @@ class SceneTools : public QObject {
   [[nodiscard]] bool tool_kept() const { return keep_tool_; }
   // Whether what is dragged or drawn snaps, and arrow keys move by the grid; while Ctrl is down nothing snaps.
   void set_snapping(bool on) { snapping_ = on; }
+  // As bodies get another size.
+  void set_keeps(Keeps keeps) { keeps_ = keeps; }
   // Locked bodies are changed neither by the mouse nor by keys.
   [[nodiscard]] bool all_locked() const;  // the selected ones
   void unlock_all();
@@ -205,6 +207,11 @@ class SceneTools : public QObject {
   [[nodiscard]] std::vector<Body> selected_now() const;
   [[nodiscard]] std::vector<Handle> handles(const SceneSight& sight) const;
   [[nodiscard]] std::optional<Grab> grab_at(const QPointF& at) const;
+  [[nodiscard]] std::vector<std::string> names_at(const QPointF& at) const;
+  [[nodiscard]] bool was_clicked(const QPointF& at) const;
+  [[nodiscard]] std::vector<std::string>::const_iterator selected_among(
+      const std::vector<std::string>& names) const;
+  [[nodiscard]] std::string clicked_body();
   // The selected bodies of which an edit can change what this handle stands for, none that is locked, `first`
   // in front.
   [[nodiscard]] std::vector<Body> editable(const std::string& first, HandleKind kind) const;
@@ -253,6 +260,8 @@ class SceneTools : public QObject {
   void end_link();
   void set_end();
   void join(const LinkEnds& ends);
+  void await_part(const SceneEdits& edits);
+  void find_made_part();
   void join_selected();
   void show_joining(Overlay& out) const;
   // The impact to whose moment a click goes: while the run is paused.
@@ -272,10 +281,12 @@ class SceneTools : public QObject {
   void show_locks(Overlay& out) const;
   // Typed values (scene_tool_typing.cpp).
   [[nodiscard]] bool types_in_drag(int key, Qt::KeyboardModifiers keys) const;
+  [[nodiscard]] bool draws_link_with_value() const;
   [[nodiscard]] bool types_noted(int key, Qt::KeyboardModifiers keys) const;
   void begin_typing(Typing typing, const QString& first);
   void type_in_drag(const QString& first);
   void type_in_drawing(const QString& first);
+  void type_in_link(const QString& first);
   void type_value_of(const Grab& target, const Bubble& where, const QString& first = {});
   bool type_at(const QPointF& at);
   void take_preview_back(Typing& typing);
@@ -310,9 +321,13 @@ class SceneTools : public QObject {
   SceneTool tool_ = SceneTool::kSelect;
   bool keep_tool_ = false;
   bool snapping_ = true;
+  Keeps keeps_ = Keeps::kDensity;
   PolygonDraft draft_;
   std::optional<LinkEnd> first_end_;  // that a click has set
   std::optional<PartId> part_;
+  std::optional<PartId> awaited_part_;  // a newer one of its kind will be shown, which a tool has made
+  std::optional<PartId> made_part_;     // that one: what is typed after it was drawn is its value
+  QString typed_ahead_;                 // before it is shown
   Selection locked_;
   std::vector<Overlap> kept_;
   std::shared_ptr<const Frame> kept_in_;
@@ -324,6 +339,7 @@ class SceneTools : public QObject {
   bool over_ = false;  // the mouse is over the scene
   Qt::KeyboardModifiers keys_{};
   std::optional<Grab> grab_;           // none: empty space
+  std::optional<QPointF> clicked_;     // where a click last selected a body
   std::optional<std::size_t> end_;     // of the chosen part, that a drag would take
   std::shared_ptr<EndDrag> end_drag_;  // the last one
   Joined moved_end_;                   // as it is, or why it can't be there

@@ -520,7 +520,9 @@ void SceneView::leaveEvent(QEvent*) {
 }
 
 void SceneView::focusInEvent(QFocusEvent* event) {
-  picture_.focus_frame = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+  constexpr auto kByKeys = std::to_array(
+      {Qt::TabFocusReason, Qt::BacktabFocusReason, Qt::ShortcutFocusReason, Qt::OtherFocusReason});
+  picture_.focus_frame = std::find(kByKeys.begin(), kByKeys.end(), event->reason()) != kByKeys.end();
   canvas_->update();
 }
 

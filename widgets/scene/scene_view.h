@@ -89,6 +89,8 @@ class SceneView : public QWidget {
   void set_tool(SceneTool tool, bool keep = false) { tools_->set_tool(tool, keep); }
   [[nodiscard]] bool tool_kept() const { return tools_->tool_kept(); }
   void set_snapping(bool on);
+  [[nodiscard]] bool is_dragging() const { return tools_->dragging(); }
+  void set_keeps(Keeps keeps) { tools_->set_keeps(keeps); }
   // A magnifier at the mouse (loupe.h); the key Y shows it while it is held.
   void set_loupe(bool on);
 

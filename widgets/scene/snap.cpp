@@ -6,7 +6,9 @@
 #include <limits>
 #include <variant>
 
+#include "physics/collision/pair_contact.h"
 #include "physics/math/vectors.h"
+#include "physics/model/geometry.h"
 #include "widgets/scene/grid.h"
 
 namespace carom {
@@ -17,67 +19,29 @@ constexpr double kLargestSpacing = 16;  // px
 constexpr int kIterations = 8;          // of Newton's, to the touching place on an axis
 constexpr double kLeastSlope = 0.1;     // of the gap along an axis: flatter ones meet too far away
 
-// The distance of two outlines, negative in an overlap, and the direction that parts them.
-struct Gap {
-  double size;  // m
-  Vec2 away;    // unit vector, in which the first body moves off
-};
-
-// From a point to a body's outline; the direction is the gradient of the distance.
-Gap gap_to_point(const Body& body, const Vec2& point) {
-  const Shape& shape = body.shape;
-  const Eigen::Rotation2Dd back(-body.angle);
-  const Vec2 at = back * (point - body.position);
-  const double h = 1e-6 * std::max(at.norm(), 1e-12);
-  const Vec2 slope(signed_distance(shape, at + Vec2(h, 0.0)) - signed_distance(shape, at - Vec2(h, 0.0)),
-                   signed_distance(shape, at + Vec2(0.0, h)) - signed_distance(shape, at - Vec2(0.0, h)));
-  return {signed_distance(shape, at), back.inverse() * slope.normalized()};
-}
-
-std::optional<Gap> gap_of(const Body& body, const Body& other) {
-  if (is_half_plane(other.shape) && !is_half_plane(body.shape)) {
-    const Vec2 out(-std::sin(other.angle), std::cos(other.angle));
-    const Eigen::Rotation2Dd turned(body.angle);
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const ConvexPart& part : convex_parts(body.shape)) {
-      for (const Vec2& v : part.outline.vertices) {
-        const Vec2 at = body.position + turned * (part.position + v) - other.position;
-        lowest = std::min(lowest, out.dot(at) - part.outline.rounding);
-      }
-    }
-    return Gap{lowest, out};
-  }
-  const auto* disc = std::get_if<Disc>(&body.shape);
-  const auto* post = std::get_if<Disc>(&other.shape);
-  if (disc != nullptr && post != nullptr) {
-    const Vec2 between = body.position - other.position;
-    return Gap{between.norm() - disc->radius - post->radius, between.normalized()};
-  }
-  if (disc != nullptr) {
-    Gap gap = gap_to_point(other, body.position);
-    gap.size -= disc->radius;
-    return gap;
-  }
-  if (post != nullptr) {
-    Gap gap = gap_to_point(body, other.position);
-    return Gap{gap.size - post->radius, -gap.away};
-  }
-  return std::nullopt;
-}
-
-std::optional<Vec2> place_of_touch(Body body, const Body& other, double reach,
+std::optional<Vec2> place_of_touch(const Body& body, const Body& other, double reach,
                                    const std::optional<Vec2>& axis) {
-  const Vec2 from = body.position;
+  if (is_half_plane(body.shape) && is_half_plane(other.shape)) return std::nullopt;
+  const double sizes = bounding_radius(body.shape) + bounding_radius(other.shape);
+  if ((body.position - other.position).norm() > sizes + reach) return std::nullopt;
+  const Geometry shapes = geometry({body, other}, {});
+  const auto pose_of = [&shapes](int i, const Body& at) {
+    return shapes.pose(BodyIndex{i}, {at.position.x(), at.position.y(), at.angle});
+  };
+  Pose pose = pose_of(0, body);
+  const Pose there = pose_of(1, other);
+  Vec2 moved = Vec2::Zero();
   for (int k = 0; k < kIterations; ++k) {
-    const std::optional<Gap> gap = gap_of(body, other);
-    if (!gap) return std::nullopt;
-    const Vec2 along = axis.value_or(gap->away);
-    const double slope = gap->away.dot(along);
+    const Contact contact = contact_between(shapes, BodyIndex{0}, pose, BodyIndex{1}, there);
+    const Vec2 along = axis.value_or(-contact.normal);
+    const double slope = -contact.normal.dot(along);
     if (std::abs(slope) < kLeastSlope) return std::nullopt;
-    body.position -= gap->size / slope * along;
-    if (!((body.position - from).norm() <= reach)) return std::nullopt;
+    const Vec2 step = -contact.gap / slope * along;
+    moved += step;
+    pose.position += step;
+    if (!(moved.norm() <= reach)) return std::nullopt;
   }
-  return body.position;
+  return body.position + moved;
 }
 
 // A compound has those of its shapes, also where another one covers them.

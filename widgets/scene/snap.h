@@ -32,7 +32,7 @@ struct Touch {
   std::string with;
 };
 // The nearest such place within `reach` m of where the body stands, on the line through it along `axis` if
-// there is one. Finds discs on any body and any body on discs and half-planes.
+// there is one.
 [[nodiscard]] std::optional<Touch> touching_place(const Body& body, std::span<const Body> others, double reach,
                                                   const std::optional<Vec2>& axis);
 

@@ -164,19 +164,19 @@ class TypedBody : public TypedThing {
     out.bodies = start_.bodies;
     Body& body = out.bodies[0];
     if (std::holds_alternative<Disc>(now_.shape)) {
-      body = resized(body, Disc{value});
+      body = resized(body, Disc{value}, start_.keeps);
       out.value = "r " + quantity_text(value, "m");
     } else if (const auto* box = std::get_if<Box>(&now_.shape)) {
       Vec2 size(box->width, box->height);
       const double grown = value - std::exchange(size[axis], value);
-      body = resized(body, Box{size.x(), size.y()});
+      body = resized(body, Box{size.x(), size.y()}, start_.keeps);
       Vec2 side = side_of(start_.kind);
       side[1 - axis] = 0.0;
       body.position = now_.position + turned_by(body.angle, 0.5 * grown * side);
       out.value = quantity_text(size.x(), "m") + " × " + quantity_text(size.y(), "m");
     }
     if (const auto* wall = std::get_if<Wall>(&now_.shape)) {
-      body = resized(body, Wall{value});
+      body = resized(body, Wall{value}, start_.keeps);
       const double grown = value - wall->length.value_or(0.0);
       body.position = now_.position + turned_by(body.angle, 0.5 * grown * side_of(start_.kind));
       out.value = quantity_text(value, "m");

@@ -22,10 +22,10 @@ std::pair<std::string, std::string> names_of(const Overlap& overlap) {
 }  // namespace
 
 QString typed_overlap(const Scene& scene, const SceneEdits& edits) {
-  const bool replaces = std::any_of(edits.begin(), edits.end(), [](const SceneEdit& edit) {
-    return std::holds_alternative<Replace<Body>>(edit);
+  const bool of_bodies = std::any_of(edits.begin(), edits.end(), [](const SceneEdit& edit) {
+    return std::holds_alternative<Replace<Body>>(edit) || std::holds_alternative<Add<Body>>(edit);
   });
-  if (!replaces) return {};
+  if (!of_bodies) return {};
   Scene after = scene;
   try {
     apply_edits(after, edits);

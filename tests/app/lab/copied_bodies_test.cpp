@@ -43,5 +43,49 @@ TEST(CopiedBodies, OfALetterHaveTheNextOne) {
   EXPECT_EQ(paste.names, (std::vector<std::string>{"B", "D", "light-1"}));
 }
 
+// The law of two surfaces too, but none that would change those of the scene.
+TEST(CopiedBodies, TakeTheirForcesAndSurfacesAlong) {
+  Scene scene = test::scene_with({disc("A", {0, 0}, {0, 0}), disc("B", {3, 0}, {0, 0})});
+  Material ice = scene.materials.front();
+  ice.name = "ice";
+  Material felt = ice;
+  felt.name = "felt";
+  scene.materials.push_back(ice);
+  scene.materials.push_back(felt);
+  scene.bodies[0].material = "ice";
+  scene.bodies[1].material = "felt";
+  MaterialPair pair{"ice", "felt", ice};
+  pair.surface.restitution = 0.25;
+  scene.pairs = {pair};
+  AppliedForce force;
+  force.body = "A";
+  force.force = Vec2(1.0, 0.0);
+  force.point = Vec2(0.0, 0.05);
+  scene.forces.applied = {force};
+  give_ids(scene);
+
+  const auto pasted = [](Scene to, const Preset& from) {
+    const Paste paste = paste_into(to, from, Vec2(0.0, 2.0));
+    SceneEdits edits = paste.edits;
+    apply_edits(to, edits);
+    return to;
+  };
+  const Scene twice = pasted(scene, copied_bodies(scene, {"A", "B"}));
+  ASSERT_EQ(twice.forces.applied.size(), 2U);
+  EXPECT_EQ(twice.forces.applied[1].body, "C");
+  EXPECT_EQ(twice.forces.applied[1].point, force.point);
+  EXPECT_EQ(twice.pairs.size(), 1U);
+  EXPECT_TRUE(copied_bodies(scene, {"B"}).scene.forces.applied.empty());
+  EXPECT_TRUE(copied_bodies(scene, {"B"}).scene.pairs.empty());
+
+  Scene other = test::scene_with({disc("Z", {0, 0}, {0, 0})});
+  give_ids(other);
+  const Scene fresh = pasted(other, copied_bodies(scene, {"A", "B"}));
+  ASSERT_EQ(fresh.pairs.size(), 1U);
+  EXPECT_EQ(fresh.pairs[0].surface.restitution, 0.25);
+  ASSERT_EQ(fresh.forces.applied.size(), 1U);
+  EXPECT_EQ(fresh.forces.applied[0].body, "A");
+}
+
 }  // namespace
 }  // namespace carom

@@ -1,3 +1,5 @@
+#include <QApplication>
+#include <QClipboard>
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -64,6 +66,66 @@ TEST_F(LabPlayEditTest, DeletePausesAndDeletes) {
   ASSERT_TRUE(pauses());
   EXPECT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 1; }));
   EXPECT_TRUE(undo_text().contains(": Delete")) << undo_text().toStdString();
+}
+
+// The bodies that are cut are those of the pause, not what was on the clipboard.
+TEST_F(LabPlayEditTest, CutPausesCopiesAndDeletes) {
+  QApplication::clipboard()->setText("something else");
+  key(Qt::Key_X, Qt::ControlModifier);
+  ASSERT_TRUE(pauses());
+  EXPECT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 1; }));
+  EXPECT_TRUE(QApplication::clipboard()->text().contains(QString::fromStdString(name_)));
+}
+
+TEST_F(LabPlayEditTest, CopyGoesOnAndPastePauses) {
+  key(Qt::Key_C, Qt::ControlModifier);
+  EXPECT_TRUE(QApplication::clipboard()->text().contains(QString::fromStdString(name_)));
+  EXPECT_TRUE(window_.frame()->playing);
+  key(Qt::Key_V, Qt::ControlModifier);
+  ASSERT_TRUE(pauses());
+  EXPECT_TRUE(wait_for([this] { return undo_text().contains(": Paste"); })) << undo_text().toStdString();
+}
+
+TEST_F(LabPlayEditTest, DuplicatePausesAndDuplicates) {
+  key(Qt::Key_D, Qt::ControlModifier);
+  ASSERT_TRUE(pauses());
+  EXPECT_TRUE(wait_for([this] { return undo_text().contains(": Duplicate"); })) << undo_text().toStdString();
+}
+
+// The two are of different densities.
+TEST_F(LabPlayEditTest, JoinPausesAndSaysWhatCannotBe) {
+  window_.scene_view().select({"light", "heavy"});
+  key(Qt::Key_G, Qt::ControlModifier);
+  ASSERT_TRUE(pauses());
+  EXPECT_TRUE(wait_for([this] { return inspector_says("density"); }));
+}
+
+TEST_F(LabPlayEditTest, ALinkIsDrawnIntoARun) {
+  key(Qt::Key_O);
+  const Vec2 from = window_.frame()->state.position(0);
+  hold(from, from + Vec2(0.0, 0.4));
+  QTest::mouseRelease(&window_.scene_view(), Qt::LeftButton, {}, pixel(from + Vec2(0.0, 0.4)));
+  EXPECT_TRUE(wait_for([this] { return undo_text().contains(": Add rod"); })) << undo_text().toStdString();
+}
+
+TEST_F(LabPlayEditTest, ADrivePausesAndIsDrawn) {
+  key(Qt::Key_M);
+  const Vec2 from = window_.frame()->state.position(0);
+  hold(from, from + Vec2(0.0, 0.4));
+  ASSERT_TRUE(pauses());
+  QTest::mouseRelease(&window_.scene_view(), Qt::LeftButton, {}, pixel(from + Vec2(0.0, 0.4)));
+  EXPECT_TRUE(wait_for([this] { return now(name_).drive.has_value(); })) << undo_text().toStdString();
+}
+
+// Where the inspector is hidden, what can't be is said over the scene.
+TEST_F(LabPlayEditTest, ARefusalIsSeenWithoutTheInspector) {
+  window_.findChild<Inspector*>()->hide();
+  QApplication::clipboard()->setText("no preset");
+  key(Qt::Key_V, Qt::ControlModifier);
+  const QList<QLabel*> chips = window_.findChildren<QLabel*>("chip");
+  EXPECT_TRUE(std::any_of(chips.begin(), chips.end(), [](const QLabel* chip) {
+    return chip->isVisible() && chip->toolTip().contains("holds no bodies");
+  }));
 }
 
 TEST_F(LabPlayEditTest, ArrowsPauseAndMove) {

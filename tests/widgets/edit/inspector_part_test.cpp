@@ -110,6 +110,44 @@ TEST_F(InspectorPartTest, AWeldHasAnAngle) {
   EXPECT_DOUBLE_EQ(weld().angle.value(), std::numbers::pi / 2.0);
 }
 
+TEST_F(InspectorPartTest, AForceActsAtAPlaceInThreeFigures) {
+  AppliedForce beside = force();
+  beside.point = Vec2(0.2139541, -0.013240312);
+  apply({Replace<AppliedForce>{beside}});
+  choose(force().id);
+  EXPECT_TRUE(texts().contains("at (0.214, −0.0132) m of light"));
+  EXPECT_EQ(field("Point x, m")->text(), "0.213954");
+}
+
+TEST_F(InspectorPartTest, AForceHasASizeAndADirection) {
+  choose(force().id);
+  enter(field("Size, N"), "2");
+  EXPECT_EQ(made_.back().name, "Size of Force on light 1.00 → 2.00 N");
+  EXPECT_EQ(force().force, Vec2(2.0, 0.0));
+  enter(field("Direction, °"), "90");
+  EXPECT_NEAR((force().force - Vec2(0.0, 2.0)).norm(), 0.0, 1e-12);
+}
+
+// A stated length goes with them, and so does the other end of what holds two points together.
+TEST_F(InspectorPartTest, EndsOfJointsAreTyped) {
+  choose(rod().id);
+  enter(field("Point x, m"), "0.05");
+  EXPECT_EQ(made_.back().name, "Point x of Rod 1 0 → 0.050 m");
+  EXPECT_EQ(rod().point, Vec2(0.05, 0.0));
+  EXPECT_FALSE(rod().length);
+  enter(field("Length, m"), "1.95");
+  enter(field("Anchor x, m"), "0.1");
+  EXPECT_NEAR(*rod().length, 2.05, 1e-12);
+  choose(weld().id);
+  const Vec2 anchor = weld().anchor;
+  enter(field("Point y, m"), "0.2");
+  EXPECT_EQ(weld().point, Vec2(0.1, 0.2));
+  EXPECT_NEAR((weld().anchor - anchor - Vec2(0.0, 0.2)).norm(), 0.0, 1e-12);
+  const Vec2 point = weld().point;
+  enter(field("Anchor x, m"), "+0.3");
+  EXPECT_NEAR((weld().point - point - Vec2(0.3, 0.0)).norm(), 0.0, 1e-12);
+}
+
 TEST_F(InspectorPartTest, AForceHasComponentsAndTimes) {
   choose(force().id);
   EXPECT_TRUE(texts().contains("Force on light"));

@@ -18,6 +18,58 @@ TEST_F(InspectorTest, MassTakesThePlaceOfDensityAndBack) {
   EXPECT_FALSE(light().density.has_value());
 }
 
+// As a drag of a handle does; or, if that is chosen, the mass stays.
+TEST_F(InspectorTest, ATypedSizeKeepsDensityOrMass) {
+  std::vector<Keeps> told;
+  QObject::connect(&inspector_, &Inspector::keepsChosen, &inspector_,
+                   [&](Keeps keeps) { told.push_back(keeps); });
+  select({"light"});
+  const double radius = std::get<Disc>(light().shape).radius;
+  enter(field("Radius, m"), "*2");
+  EXPECT_NEAR(std::get<Disc>(light().shape).radius, 2.0 * radius, 1e-12);
+  EXPECT_NEAR(*light().mass, 4.0, 1e-12);
+  choose_below(box("Resized it keeps"));
+  EXPECT_EQ(told, std::vector{Keeps::kMass});
+  EXPECT_EQ(made_.size(), 1U) << "no edit";
+  enter(field("Radius, m"), "*0.5");
+  EXPECT_NEAR(*light().mass, 4.0, 1e-12);
+  enter(field("Density, kg/m²"), "100");
+  const double mass = mass_of(light());
+  enter(field("Radius, m"), "*3");
+  EXPECT_NEAR(mass_of(light()), mass, 1e-12);
+}
+
+TEST_F(InspectorTest, BodiesArePutIntoAGroup) {
+  select({"heavy", "light"});
+  EXPECT_EQ(field("Group")->placeholderText(), "none");
+  enter(field("Group"), "ghosts");
+  EXPECT_EQ(made_.back().name, "Put 2 bodies into group ghosts");
+  EXPECT_EQ(light().group, "ghosts");
+  EXPECT_EQ(heavy().group, "ghosts");
+  select({"light"});
+  enter(field("Group"), " ");
+  EXPECT_EQ(made_.back().name, "Take light out of the group");
+  EXPECT_EQ(light().group, "");
+  select({"heavy", "light"});
+  EXPECT_EQ(field("Group")->placeholderText(), "several");
+}
+
+TEST_F(InspectorTest, AWallIsAHalfPlaneOrHasALength) {
+  Body floor;
+  floor.name = "floor";
+  floor.shape = Wall{};
+  floor.fixed = true;
+  floor.material = "wood";
+  apply({Add<Body>{floor}});
+  select({"floor"});
+  EXPECT_EQ(field("Length, m")->placeholderText(), "half-plane");
+  enter(field("Length, m"), "2.5");
+  EXPECT_EQ(std::get<Wall>(scene_->bodies[2].shape).length, 2.5);
+  enter(field("Length, m"), " ");
+  EXPECT_EQ(made_.back().name, "Make floor a half-plane");
+  EXPECT_FALSE(std::get<Wall>(scene_->bodies[2].shape).length);
+}
+
 TEST_F(InspectorTest, ChangesAllSelectedBodies) {
   select({"heavy", "light"});
   EXPECT_FALSE(has_field("Name"));

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "widgets/scene/drag_limits.h"
+
 namespace carom {
 namespace {
 
@@ -97,6 +99,41 @@ TEST(DragTest, SnapsDiscsToBoxesAndBoxesToHalfPlanes) {
   const Dragged moved = drag(start, Vec2(0.33, 0.45));
   EXPECT_NEAR(moved.bodies[0].position.y(), 0.5, 1e-12);
   EXPECT_EQ(moved.detail, "touches ground");
+}
+
+// Carts on a track, a box beside a thin wall, corner on face, and shapes of a compound.
+TEST(DragTest, AnyTwoShapesSnapToTouching) {
+  const auto boxed = [](const char* name, double x, double y, double width, double height, double angle = 0.0) {
+    Body body = disc_at(name, x, y, 0.0);
+    body.shape = Box{width, height};
+    body.angle = angle;
+    return body;
+  };
+  const auto moved_to = [](const Body& body, const Body& other, const Vec2& by) {
+    DragStart start = start_of(HandleKind::kBody, body, Vec2::Zero());
+    start.others = {other};
+    return drag(start, by).bodies[0].position;
+  };
+  const Body cart = boxed("cart", 0.0, 0.1, 0.3, 0.2);
+  EXPECT_NEAR(moved_to(cart, boxed("other", 1.0, 0.1, 0.3, 0.2), Vec2(0.66, 0.03)).x(), 0.7, 1e-12);
+  EXPECT_NEAR(moved_to(cart, boxed("other", 1.0, 0.1, 0.3, 0.2), Vec2(0.75, 0.0)).x(), 0.7, 1e-12);
+  Body post = disc_at("post", 1.0, 0.0, 0.0);
+  post.shape = Wall{2.0};
+  post.angle = 90.0 * kDegree;
+  EXPECT_NEAR(moved_to(cart, post, Vec2(0.8, 0.0)).x(), 0.85, 1e-12);
+  const Body tilted = boxed("tilted", 0.0, 1.0, 0.2, 0.2, 45.0 * kDegree);
+  const double low = 0.1 * std::numbers::sqrt2;
+  EXPECT_NEAR(moved_to(tilted, boxed("table", 0.0, -0.5, 4.0, 1.0), Vec2(0.1, low - 1.03)).y(), low, 1e-12);
+  EXPECT_EQ(moved_to(cart, boxed("other", 1.0, 0.1, 0.3, 0.2), Vec2(0.6, 0.0)), Vec2(0.6, 0.1)) << "10 px away";
+  Body hollow = boxed("hollow", 0.0, 0.0, 0.1, 0.1);
+  const auto placed = [](double x) {
+    PlacedShape shape;
+    shape.shape = Box{0.1, 0.1};
+    shape.position.x() = x;
+    return shape;
+  };
+  hollow.shape = Compound{{placed(-0.2), placed(0.2)}};
+  EXPECT_NEAR(moved_to(hollow, post, Vec2(0.73, 0.0)).x(), 0.75, 1e-12);
 }
 
 TEST(DragTest, SeveralBodiesMoveTogether) {
@@ -215,6 +252,34 @@ TEST(DragTest, ResizesABoxFromItsFarSide) {
   EXPECT_EQ(resized.value, "0.60 m × 0.20 m");
   EXPECT_NEAR(std::get<Box>(drag(start, Vec2(1.07, 1.504), Qt::ShiftModifier).bodies[0].shape).height, 0.3,
               1e-12);
+}
+
+// And with it what pulls beside the centre, which moves by 0.1 m; what pulls at the centre goes with that.
+TEST(DragTest, SpringsAndForcesStayAtAResizedBox) {
+  Body body = disc_at("box", 1.0, 1.0, 0.0);
+  body.shape = Box{0.4, 0.2};
+  body.angle = 90.0 * kDegree;
+  DragStart start = start_of(HandleKind::kRight, body, Vec2(1.0, 1.3));
+  Spring spring;
+  spring.body = "box";
+  spring.point = Vec2(-0.2, 0.0);
+  Spring at_centre;
+  at_centre.body = "box";
+  AppliedForce force;
+  force.body = "box";
+  force.point = Vec2(0.1, 0.1);
+  start.forces.springs = {spring, at_centre};
+  start.forces.applied = {force};
+  const auto attached_at = [&](const Vec2& mouse) {
+    const DragPoint point{.at = mouse, .scale = 100.0};
+    return within_joints(start, drag_to(start, point), point).attached;
+  };
+  const SceneEdits moved = attached_at(Vec2(1.0, 1.5));
+  ASSERT_EQ(moved.size(), 2U);
+  EXPECT_TRUE(std::get<Replace<Spring>>(moved[0]).part.point.isApprox(Vec2(-0.3, 0.0), 1e-12));
+  EXPECT_TRUE(std::get<Replace<AppliedForce>>(moved[1]).part.point.isApprox(Vec2(0.0, 0.1), 1e-9));
+  EXPECT_TRUE(
+      std::get<Replace<Spring>>(attached_at(Vec2(1.0, 1.3)).at(0)).part.point.isApprox(spring.point, 1e-12));
 }
 
 TEST(DragTest, TheFarEndOfATurnedWallStays) {

@@ -1,3 +1,4 @@
+#include <QApplication>
 #include <numbers>
 
 #include "tests/widgets/scene/scene_tools_fixture.h"
@@ -61,6 +62,58 @@ TEST_F(JointToolsTest, ADragDrawsARodBetweenCentres) {
   EXPECT_EQ(rod.anchor, Vec2(0.0, 0.0));
   EXPECT_FALSE(rod.length);
   EXPECT_EQ(view_.tool(), SceneTool::kSelect);
+}
+
+// It is not chosen: the next drag takes the body, not its end.
+TEST_F(JointToolsTest, TheValueOfWhatIsDrawnIsTyped) {
+  answers_ = true;
+  view_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&view_));
+  view_.setFocus();
+  const auto type = [](const QString& text) {
+    for (const QChar c : text) QTest::keyClicks(QApplication::focusWidget(), c);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  };
+  view_.set_tool(SceneTool::kString);
+  drag(a_centre_, QPoint(300, 60));
+  EXPECT_FALSE(view_.part());
+  type("2.5");
+  EXPECT_EQ(scene_.joints.front().length, 2.5);
+
+  // During the drag, which the digit ends.
+  view_.set_tool(SceneTool::kString);
+  press(b_centre_);
+  move(QPoint(450, 120));
+  move(QPoint(480, 60));
+  type("3.25");
+  release(QPoint(480, 60));
+  ASSERT_EQ(scene_.joints.size(), 2U);
+  EXPECT_EQ(scene_.joints.back().body, "B");
+  EXPECT_EQ(scene_.joints.back().length, 3.25);
+
+  view_.set_tool(SceneTool::kForce);
+  drag(a_, QPoint(296, 203));
+  type("4");
+  EXPECT_NEAR(scene_.forces.applied.front().force.norm(), 4.0, 1e-12);
+}
+
+// A run that plays shows the joint a while after it was made.
+TEST_F(JointToolsTest, DigitsWaitForTheJointThatIsAwaited) {
+  view_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&view_));
+  view_.setFocus();
+  view_.set_tool(SceneTool::kString);
+  press(a_centre_);
+  move(QPoint(250, 120));
+  move(QPoint(300, 60));
+  for (const auto key : {Qt::Key_2, Qt::Key_Period, Qt::Key_5}) QTest::keyClick(&view_, key);
+  release(QPoint(300, 60));
+  ASSERT_EQ(told_.size(), 1U);
+  apply_edits(scene_, told_.back().edits);
+  answers_ = true;
+  show(true);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_EQ(scene_.joints.front().length, 2.5);
 }
 
 TEST_F(JointToolsTest, AnEndSnapsToACentreWithin12Pixels) {

@@ -166,6 +166,19 @@ TEST_F(PartEndsTest, TheFootOfAForceTakesATypedPlace) {
   EXPECT_TRUE(force.point.isApprox(Vec2(0.3, -0.1), 1e-9));
 }
 
+// There it has no length that a digit could change.
+TEST_F(PartEndsTest, ADigitOnTheOtherEndLeavesTheDragGoing) {
+  const Joint& rod = joint(JointKind::kRod, std::nullopt);
+  press(a_end_);
+  move(QPoint(230, 170));
+  move(plane_end_);
+  QTest::keyClick(&view_, Qt::Key_3);
+  move(QPoint(403, 197));
+  release(QPoint(403, 197));
+  EXPECT_EQ(rod.body, "B");
+  EXPECT_TRUE(cancelled_.empty());
+}
+
 TEST_F(PartEndsTest, AnEndOfASpringHoldsToAPointOfABody) {
   Spring spring;
   spring.body = "A";

@@ -1,3 +1,5 @@
+#include <QApplication>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -17,6 +19,40 @@ TEST_F(SceneToolsTest, ClicksSelect) {
   EXPECT_EQ(selected_, Names{});
   EXPECT_TRUE(told_.empty());
   EXPECT_TRUE(spawned_.empty());
+}
+
+// B under A: a second click on the same spot takes it, a third one A again; then a drag moves what is selected.
+TEST_F(SceneToolsTest, AnotherClickOnTheSpotSelectsTheBodyBelow) {
+  answers_ = true;
+  const auto body = [this](const char* name) -> Body& {
+    return *std::find_if(scene_.bodies.begin(), scene_.bodies.end(),
+                         [&](const Body& b) { return b.name == name; });
+  };
+  body("B").position = body("A").position;
+  show(true);
+  const std::string top = "B";
+  const std::string below = "A";
+  const QPoint spot(196, 206);
+  click(spot);
+  EXPECT_EQ(selected_, Names{top});
+  QTest::qWait(QApplication::doubleClickInterval() + 50);
+  click(spot);
+  EXPECT_EQ(selected_, Names{below});
+  QTest::qWait(QApplication::doubleClickInterval() + 50);
+  drag(spot, spot + QPoint(0, 140), Qt::ControlModifier);
+  EXPECT_EQ(selected_, Names{below});
+  EXPECT_NEAR(body(below.c_str()).position.y(), body(top.c_str()).position.y() - 1.4, 1e-9);
+  click(QPoint(450, 60));
+  click(spot);
+  EXPECT_EQ(selected_, Names{top});
+}
+
+TEST_F(SceneToolsTest, ARightClickOnAHandleKeepsTheSelection) {
+  click(a_);
+  ASSERT_FALSE(view_.drawing().arrows.empty());
+  const QPoint tip = view_.camera().to_screen(view_.drawing().arrows[0].to.cast<double>()).toPoint();
+  QTest::mouseClick(&view_, Qt::RightButton, {}, tip);
+  EXPECT_EQ(selected_, Names{"A"});
 }
 
 TEST_F(SceneToolsTest, ABandSelectsWhatItTouches) {
