@@ -13,7 +13,7 @@ using Island = Flights::Island;
 
 // A trajectory is looked at in parts in which no end of a switch turns, or swings, by more than this angle, or
 // comes nearer to the other one by more than this share of the length at which it switches: a margin is near
-// its parabola then.
+// its parabola then. Where that makes too many parts, a step that is too long for its motion has fewer.
 constexpr double kPartOfTurn = 0.25;  // rad
 constexpr double kPartOfLength = 0.5;
 constexpr int kFewestParts = 4;
@@ -58,14 +58,19 @@ double margin_at(Flights& f, const Island& island, const Switch& a_switch, doubl
 }  // namespace
 
 SwitchSearch::SwitchSearch(const Model& model)
-    : turning_(model.bodies()), swinging_(model.bodies()), released_at_(model.joint_terms.all.size(), -1.0) {
+    : reaches_(model.bodies()), released_at_(model.joint_terms.all.size(), -1.0) {
   const auto note = [&](const Ends& ends) {
-    const auto body = static_cast<std::size_t>(ends.body);
-    if (ends.turns) turning_[body] = true;
-    if (ends.other >= 0 && ends.other_turns) turning_[static_cast<std::size_t>(ends.other)] = true;
-    if (ends.drive >= 0) {
-      swinging_[body] = std::max(swinging_[body], model.drive(ends.drive).angular_frequency);
-    }
+    const auto add = [&](BodyIndex body, bool turns) {
+      Reach& reach = reaches_[static_cast<std::size_t>(body)];
+      reach.turns = reach.turns || turns;
+      if (ends.length > 0.0) reach.length = std::min(reach.length, ends.length);
+    };
+    add(ends.body, ends.turns);
+    if (ends.other >= 0) add(ends.other, ends.other_turns);
+    if (ends.drive < 0) return;
+    Reach& reach = reaches_[static_cast<std::size_t>(ends.body)];
+    reach.swing = std::max(reach.swing, model.drive(ends.drive).angular_frequency);
+    reach.passing = std::max(reach.passing, model.drive(ends.drive).velocity.norm());
   };
   model.forces.springs.each_index([&](SpringIndex spring) {
     if (model.forces.springs[spring].acts != SpringActs::kBoth) note(ends_of(model, spring));
@@ -87,14 +92,18 @@ SwitchSearch::Ends SwitchSearch::ends_of(const Model& model, const Switch& a_swi
 
 double SwitchSearch::time_to_follow(const Flights& f, const Island& island) const {
   double most = std::numeric_limits<double>::infinity();
+  if (island.kinematic) return most;
+  const auto bound = [&most](double way, double pace, double change) {
+    most = std::min(most, 2.0 * way / (pace + std::sqrt(pace * pace + 2.0 * change * way)));
+  };
   for (const BodyIndex i : f.members_of(island)) {
-    const auto body = static_cast<std::size_t>(i);
-    if (turning_[body]) {
-      const double spin = std::abs(f.at_start.col(i)[5]);
-      const double change = std::abs(f.constant.col(i)[2]);
-      most = std::min(most, 2.0 * kLongestTurn / (spin + std::sqrt(spin * spin + 2.0 * change * kLongestTurn)));
-    }
-    most = std::min(most, kLongestTurn / swinging_[body]);
+    const Reach& reach = reaches_[static_cast<std::size_t>(i)];
+    const auto start = f.at_start.col(i);
+    if (reach.turns) bound(kLongestTurn, std::abs(start[5]), std::abs(f.constant.col(i)[2]));
+    if (reach.swing > 0.0) bound(kLongestTurn, reach.swing, 0.0);
+    if (std::isfinite(reach.length))
+      bound(kMostParts * kPartOfLength * reach.length, start.segment<2>(3).norm() + reach.passing,
+            f.constant.col(i).head<2>().norm());
   }
   return most;
 }
@@ -246,10 +255,12 @@ void SwitchSearch::find_leaving(Flights& f, Island& island, double& first) {
     if (s == 0) return island.start;
     return s == parts ? island.end : island.start + width * s / parts;
   };
-  margins_.resize(static_cast<std::size_t>(parts) + 1);
+  const auto last = static_cast<std::size_t>(parts);
+  if (margins_.size() <= last) margins_.resize(last + 1);
   for (int s = 0; s <= parts; ++s) sample(f, island, time_of(s), margins_[static_cast<std::size_t>(s)]);
 
   leaving_.clear();
+  double earliest = island.end;  // by when a switch has left
   for (std::size_t k = 0; k < listed_.size(); ++k) {
     const Switch a_switch = listed_[k];
     const auto at = [&](int s) { return Sample{time_of(s), margins_[static_cast<std::size_t>(s)][k]}; };
@@ -262,13 +273,14 @@ void SwitchSearch::find_leaving(Flights& f, Island& island, double& first) {
       seen = seen || now.margin > 0.0;
       if (left) {
         leaving_.push_back({a_switch, before.time, now.time, before.margin, now.margin});
-      } else if (s < parts) {
+      } else if (s < parts && before.time < earliest) {
         const auto dipped = dip(f, island, a_switch, {before, now, at(s + 1)});
         if (dipped) leaving_.push_back(*dipped);
         left = dipped.has_value();
       }
+      if (left) earliest = std::min(earliest, leaving_.back().after);
     }
-    if (seen || !(margins_.back()[k] < 0.0)) continue;
+    if (seen || !(margins_[last][k] < 0.0)) continue;
     // A push out of a penetration may have left a slack string too long, though its ends approach.
     const auto* joint = std::get_if<JointIndex>(&a_switch);
     if (joint != nullptr && released_at_[static_cast<std::size_t>(*joint)] == f.epoch + island.start) continue;

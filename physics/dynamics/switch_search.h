@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -83,8 +84,14 @@ class SwitchSearch {
   std::vector<Leaving> leaving_;
   double missed_since_ = -1.0;
   double lost_to_joints_ = 0.0;
-  std::vector<bool> turning_;     // by body: it has a switch beside its centre
-  std::vector<double> swinging_;  // rad/s, by body: of the drives at the other ends of its switches
+  // What the switches of each body allow a trajectory.
+  struct Reach {
+    bool turns = false;                                       // one is beside its centre
+    double swing = 0.0;                                       // rad/s, of the drives at their other ends
+    double passing = 0.0;                                     // m/s, of these drives
+    double length = std::numeric_limits<double>::infinity();  // m, the shortest at which one switches
+  };
+  std::vector<Reach> reaches_;
   // s, absolute, by joint: when a string last became taut and would have had to push.
   std::vector<double> released_at_;
 };

@@ -43,8 +43,8 @@ struct KeptMembers {
 
   template <class Self, class Kept, class Each>
   static void of_switches(Self& switches, Kept& kept, const Each& each) {
-    auto& [listed, margins, margins_at_first, leaving, missed_since, lost_to_joints, turning, swinging,
-           released_at] = switches;
+    auto& [listed, margins, margins_at_first, leaving, missed_since, lost_to_joints, reaches, released_at] =
+        switches;
     each(missed_since, kept.switches_missed_since);
     each(lost_to_joints, kept.lost_to_joints);
     each(released_at, kept.released_at);

@@ -224,6 +224,27 @@ TEST(OffCentreSprings, ASwingingEndIsMetByABodyAtRest) {
   EXPECT_NEAR(run_with(kExactly), fine, 1e-9);
 }
 
+// A post that is driven past a disc at rest, 0.4 m beside it, with a bumper of half a metre.
+TEST(OffCentreSprings, ADrivenEndThatPassesIsMet) {
+  Body post = fixed("post", Box{0.02, 0.02}, {-20.0, 0.4});
+  post.fixed = false;
+  post.drive = Drive{.velocity = Vec2(1.0, 0.0)};
+  Spring bumper = spring_at("A", Vec2::Zero(), 6.0);
+  bumper.to = "post";
+  bumper.rest_length = 0.5;
+  bumper.acts = SpringActs::kPush;
+  const auto run_with = [&](const Method& method) {
+    RunSetup setup = free_bodies({disc("A", {0.0, 0.0}, {0.0, 0.0}, 0.1, 1.0), post}, method);
+    setup.scene.forces.springs = {bumper};
+    Simulation run(setup);
+    run.advance_to(22.0);
+    return run.state().position(0);
+  };
+  const Vec2 fine = run_with({.integrator = IntegratorId::kRk4, .step = 1e-3});
+  EXPECT_LT(fine.y(), -0.1);
+  EXPECT_NEAR((run_with(kExactly) - fine).norm(), 0.0, 1e-7);
+}
+
 // A string from the rim of a wheel that spins in place: no force bends its flight until it is taut.
 TEST(OffCentreSprings, AStringIsMetOnTheFirstTurn) {
   Body wheel = disc("A", {0.0, 0.0}, {0.0, 0.0}, 0.2, 1.0);
