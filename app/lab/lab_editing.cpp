@@ -80,7 +80,7 @@ void LabWindow::connect_edits() {
   connect(inspector_, &Inspector::pauseRequested, this, pause);
   connect(sheet_, &BodiesSheet::pauseRequested, this, pause);
   connect(inspector_, &Inspector::keepsChosen, view_, &SceneView::set_keeps);
-  connect(inspector_, &Inspector::left, this, [this] { view_->setFocus(); });
+  connect(inspector_, &Inspector::left, this, [this] { view_->setFocus(Qt::ShortcutFocusReason); });
   connect(inspector_, &Inspector::partOpened, this, [this] { view_->choose_part(inspector_->part()); });
   connect(inspector_, &Inspector::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
     edit_bodies(stated(edits, session_.runs()), name, drag_of(kOfInspector, drag));
@@ -171,7 +171,7 @@ void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int dr
     session_.edit(edits, name, drag);
     return keep_selected(edits);
   }
-  const AllowedPlace placed = allowed_place(*scene, with_joined(*scene, edits));
+  const AllowedPlace placed = allowed_place(*scene, edits);
   if (!placed.refusal.isEmpty()) {
     session_.history().refuse(placed.refusal);
     return;
@@ -180,9 +180,14 @@ void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int dr
   QString sentence = placed.sentence.isEmpty() ? allowed.sentence : placed.sentence;
   if (sentence.isEmpty()) sentence = typed_overlap(*scene, allowed.edits);
   const std::uint64_t before = session_.history().revision();
-  session_.edit(allowed.edits, allowed.sentence.isEmpty() ? name : allowed.name, drag);
+  session_.edit(with_joined(*scene, allowed.edits), allowed.sentence.isEmpty() ? name : allowed.name, drag);
   if (session_.history().revision() == before) return;
   keep_selected(edits);
+  say_of_edit(sentence);
+}
+
+// Beside what the session says of it.
+void LabWindow::say_of_edit(QString sentence) {
   if (sentence.isEmpty()) return;
   if (!said_of_edit_.isEmpty()) sentence += " " + said_of_edit_;
   said_of_edit_ = sentence;
@@ -247,11 +252,8 @@ void LabWindow::copy_selection() {
 }
 
 void LabWindow::cut_selection() {
-  if (view_->selection().empty()) return;
-  with_scene(tr("Cut"), [this](const Scene&) {
-    copy_selection();
-    view_->press_key(Qt::Key_Delete);
-  });
+  copy_selection();
+  if (!view_->selection().empty()) view_->press_key(Qt::Key_Delete);
 }
 
 // At the mouse if it is over the scene, else in the middle of the view.
@@ -282,8 +284,8 @@ void LabWindow::paste_at(const QPointF& at) {
 
 void LabWindow::duplicate_selection() {
   if (view_->selection().empty()) return;
-  with_scene(tr("Duplicate"), [this](const Scene& scene) {
-    const Preset copy = copied_bodies(scene, view_->selection());
+  with_scene(tr("Duplicate"), [this, names = view_->selection()](const Scene& scene) {
+    const Preset copy = copied_bodies(scene, names);
     const WorldRect seen = view_->camera().visible();
     const Vec2 shift = shift_beside(copy.scene.bodies, all_bodies(scene), {seen.lower, seen.upper});
     put(scene, paste_into(scene, copy, shift), tr("Duplicate"));
@@ -294,21 +296,25 @@ void LabWindow::put(const Scene& scene, const Paste& paste, const QString& what)
   if (paste.names.empty()) return;
   const int count = static_cast<int>(paste.names.size());
   const QString overlap = typed_overlap(scene, paste.edits);
+  const std::uint64_t before = session_.history().revision();
   session_.edit(paste.edits, count == 1 ? tr("%1 %2").arg(what, QString::fromStdString(paste.names.front()))
                                         : tr("%1 %n bodies", nullptr, count).arg(what));
-  if (!overlap.isEmpty()) say_for_a_while(overlap);
+  if (session_.history().revision() == before) return;
+  say_of_edit(overlap);
   view_->select_when_shown(paste.names);
 }
 
 void LabWindow::join_selection() {
   if (view_->selection().empty()) return;
-  with_scene(tr("Join"), [this](const Scene& scene) { regroup(joining(scene, view_->selection())); });
+  with_scene(tr("Join"),
+             [this, names = view_->selection()](const Scene& scene) { regroup(joining(scene, names)); });
 }
 
 void LabWindow::take_selection_apart() {
   if (view_->selection().size() != 1) return;
-  with_scene(tr("Take apart"),
-             [this](const Scene& scene) { regroup(taking_apart(scene, view_->selection().front())); });
+  with_scene(tr("Take apart"), [this, name = view_->selection().front()](const Scene& scene) {
+    regroup(taking_apart(scene, name));
+  });
 }
 
 void LabWindow::regroup(const Regrouping& made) {

@@ -107,7 +107,7 @@ void LabWindow::open_list(bool open) {
     before_preview_.reset();
     list_->begin_search();
   } else if (!pinned) {
-    view_->setFocus();
+    view_->setFocus(Qt::ShortcutFocusReason);
   }
 }
 
@@ -210,7 +210,7 @@ void LabWindow::connect_views() {
   });
   connect(list_, &ExperimentList::openRequested, files_, [this](const QString& name) {
     list_action_->setChecked(false);
-    view_->setFocus();  // a list that stays had it
+    view_->setFocus(Qt::ShortcutFocusReason);  // a list that stays had it
     files_->open(name.toStdString());
   });
   connect(list_, &ExperimentList::previewRequested, this, &LabWindow::preview);

@@ -118,6 +118,7 @@ class LabWindow : public QMainWindow {
   void select_drawn(const SceneEdits& edits);
   void edit_bodies(const SceneEdits& edits, const QString& name, int drag);
   void say_refusal(const QString& why);
+  void say_of_edit(QString sentence);
   void forget_refusal();
   void show_aim();
   void new_document();

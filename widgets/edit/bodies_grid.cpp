@@ -363,8 +363,14 @@ void BodiesGrid::paste() {
   if (!rows_->can_edit()) return say(tr("Nothing can be edited at this moment."));
   Pasted pasted{.bodies = rows_->bodies()};
   int row = from.row();
+  int without_body = 0;  // rows
   for (const QStringList& line : pasted_lines(QGuiApplication::clipboard()->text(), *rows_)) {
-    if (row >= rows_->shown_bodies()) break;
+    if (row >= rows_->shown_bodies()) {
+      // The row of the sums comes back with what it sums.
+      const int last = rows_->rowCount() - 1;
+      if (line.front() != rows_->index(last, from.column()).data().toString()) ++without_body;
+      continue;
+    }
     int column = from.column();
     for (const QString& cell : line) {
       while (column < rows_->columnCount() && isColumnHidden(column)) ++column;
@@ -383,7 +389,12 @@ void BodiesGrid::paste() {
   for (const auto& cell : pasted.taken) {
     if (!refusal.isEmpty()) pasted.faults[cell] = refusal;
   }
-  if (pasted.faults.empty()) return;
+  if (pasted.faults.empty()) {
+    if (without_body > 0)
+      say(without_body == 1 ? tr("1 row had no body to go to.")
+                            : tr("%1 rows had no body to go to.").arg(without_body));
+    return;
+  }
   const auto& [place, first] = *pasted.faults.begin();
   const std::size_t count = pasted.faults.size();
   rows_->set_faults(pasted.faults);

@@ -111,7 +111,8 @@ struct InspectedRow {
 // Those of each shape of a compound, and its surface; the first ones of many. An edit leaves the others where
 // they are. For `unfolded` see inspected_corners.h.
 [[nodiscard]] std::vector<InspectedRow> inspected_shapes(const Scene& scene, const Body& body,
-                                                         const std::set<QString>& unfolded);
+                                                         const std::set<QString>& unfolded,
+                                                         Keeps keeps = Keeps::kDensity);
 
 // The value of one body at one place; none if it has none, as the mass of a fixed one.
 [[nodiscard]] std::optional<Inspected> inspected_value(const Body& body, const FieldPlace& place);

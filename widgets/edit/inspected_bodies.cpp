@@ -216,7 +216,7 @@ class VectorSum {
 
 InspectedRow keeps_row(Keeps keeps) {
   InspectedChoice choice;
-  choice.name = "Resized it keeps";
+  choice.name = "Resized";
   choice.meaning = "What stays when a body gets another size, by hand or by a typed number";
   choice.words = {"keeps its density", "keeps its mass"};
   choice.meanings = {"the mass follows the area", "the density changes"};

@@ -23,6 +23,7 @@ struct Origin {
   Attached attached;
   Body body;
   std::optional<std::size_t> shape;  // of a compound
+  Keeps keeps = Keeps::kDensity;
 
   [[nodiscard]] const Polygon* polygon() const {
     if (!shape) return std::get_if<Polygon>(&body.shape);
@@ -54,11 +55,12 @@ SceneEdits with_corners(const Origin& origin, const Corners& corners) {
   Polygon polygon = *origin.polygon();
   polygon.vertices = corners;
   const bool valid = fault_at(origin, corners).isEmpty();
-  // A stated mass stays, as with a typed width. Whoever makes the edit says what is wrong.
+  // Whoever makes the edit says what is wrong.
   const auto reshaped = [&](const Shape& shape) {
+    if (valid) return reshaping(origin.attached, origin.body, resized(origin.body, shape, origin.keeps));
     Body changed = origin.body;
     changed.shape = shape;
-    return valid ? reshaping(origin.attached, origin.body, changed) : SceneEdits{Replace<Body>{changed}};
+    return SceneEdits{Replace<Body>{changed}};
   };
   if (!origin.shape) return reshaped(polygon);
   Compound compound = std::get<Compound>(origin.body.shape);
@@ -139,9 +141,9 @@ InspectedAction removal(const Origin& origin, std::size_t corner) {
 }  // namespace
 
 std::vector<InspectedRow> inspected_corners(const Scene& scene, const Body& body,
-                                            std::optional<std::size_t> shape,
-                                            const std::set<QString>& unfolded) {
-  const auto origin = std::make_shared<const Origin>(Origin{attached_in(scene), body, shape});
+                                            std::optional<std::size_t> shape, const std::set<QString>& unfolded,
+                                            Keeps keeps) {
+  const auto origin = std::make_shared<const Origin>(Origin{attached_in(scene), body, shape, keeps});
   if (origin->polygon() == nullptr) return {};
   const std::size_t count = origin->polygon()->vertices.size();
   std::vector<InspectedRow> shown;

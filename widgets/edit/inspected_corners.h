@@ -14,6 +14,7 @@ namespace carom {
 // others where they are.
 [[nodiscard]] std::vector<InspectedRow> inspected_corners(const Scene& scene, const Body& body,
                                                           std::optional<std::size_t> shape,
-                                                          const std::set<QString>& unfolded);
+                                                          const std::set<QString>& unfolded,
+                                                          Keeps keeps = Keeps::kDensity);
 
 }  // namespace carom

@@ -210,6 +210,10 @@ Inspected part_value(const Scene& scene, const Part& part, const PartLine& line,
     return text + change_text(from[0], to[0], unit);
   };
   if (const auto* number = std::get_if<double>(&row.value)) value.values = {*number};
+  if constexpr (std::is_same_v<Part, AppliedForce>) {
+    if (row.place.key == "direction" && part.force.isZero(0.0))
+      value.refusal = "Without a force there is no direction: its size comes first.";
+  }
   if (const Unset unset = unset_of(scene, part, row.place.key); !unset.text.isEmpty()) {
     value.emptied =
         NamedEdits{{Replace<Part>{with_field(part, row.place, std::monostate{})}}, text + unset.undo_name};

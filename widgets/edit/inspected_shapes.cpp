@@ -38,7 +38,7 @@ QString section_of(const Body& body, std::size_t shape) {
 }
 
 Inspected inspected_number(const Scene& scene, const Body& body, std::size_t shape, const ShapeLine& line,
-                           const FieldRow& row) {
+                           const FieldRow& row, Keeps keeps) {
   const QString component = row.place.part < 0 ? "" : row.place.part == 0 ? "x" : "y";
   Inspected value;
   value.label = component;
@@ -47,8 +47,9 @@ Inspected inspected_number(const Scene& scene, const Body& body, std::size_t sha
   value.meaning = row.meaning;
   value.range = row.range;
   value.values = {std::get<double>(row.value)};
-  value.edits = [attached = attached_in(scene), body, place = row.place](const std::vector<double>& values) {
-    return reshaping(attached, body, with_field(body, place, values[0]));
+  value.edits = [attached = attached_in(scene), body, place = row.place,
+                 keeps](const std::vector<double>& values) {
+    return reshaping(attached, body, resized(body, with_field(body, place, values[0]).shape, keeps));
   };
   const QString whose = value.subject + " of " + QString::fromStdString(body.name);
   value.undo_name = [line, whose, name = value.name, unit = row.range.unit](const std::vector<double>& before,
@@ -84,7 +85,7 @@ InspectedRow surface_row(const Scene& scene, const Body& body, std::size_t shape
 }  // namespace
 
 std::vector<InspectedRow> inspected_shapes(const Scene& scene, const Body& body,
-                                           const std::set<QString>& unfolded) {
+                                           const std::set<QString>& unfolded, Keeps keeps) {
   std::vector<InspectedRow> shown;
   if (!std::holds_alternative<Compound>(body.shape)) return shown;
   const std::vector<FieldRow> rows = field_rows(body);
@@ -95,11 +96,11 @@ std::vector<InspectedRow> inspected_shapes(const Scene& scene, const Body& body,
       for (const FieldRow& row : rows) {
         const bool same = row.place.key == place_of(shape) + line.key && (row.place.part >= 0) == line.vector;
         if (same && std::holds_alternative<double>(row.value))
-          out.values.push_back(inspected_number(scene, body, shape, line, row));
+          out.values.push_back(inspected_number(scene, body, shape, line, row, keeps));
       }
       if (!out.values.empty()) shown.push_back(std::move(out));
     }
-    std::vector<InspectedRow> corners = inspected_corners(scene, body, shape, unfolded);
+    std::vector<InspectedRow> corners = inspected_corners(scene, body, shape, unfolded, keeps);
     std::move(corners.begin(), corners.end(), std::back_inserter(shown));
     shown.push_back(surface_row(scene, body, shape));
   }

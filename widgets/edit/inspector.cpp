@@ -256,9 +256,9 @@ std::vector<InspectedRow> Inspector::rows() const {
       rows.push_back({.text = derived.join("   "), .tip = derived_formulas(bodies_.size() > 1)});
     add(more_of_bodies(bodies_, keeps_));
     if (bodies_.size() == 1) {
-      add(inspected_shapes(*scene_, bodies_[0], unfolded_));
+      add(inspected_shapes(*scene_, bodies_[0], unfolded_, keeps_));
       if (!std::holds_alternative<Compound>(bodies_[0].shape))
-        add(inspected_corners(*scene_, bodies_[0], std::nullopt, unfolded_));
+        add(inspected_corners(*scene_, bodies_[0], std::nullopt, unfolded_, keeps_));
     }
     add(more_of_surface(*scene_, bodies_));
   }

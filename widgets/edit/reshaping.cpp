@@ -1,6 +1,7 @@
 #include "widgets/edit/reshaping.h"
 
 #include <cmath>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -17,20 +18,45 @@ Vec2 written_centre(const Shape& shape) {
   return polygon == nullptr ? Vec2(Vec2::Zero()) : centre_of(*polygon);
 }
 
+template <class Form>
+Form times(const Form& shape, double factor) {
+  if (const auto* disc = std::get_if<Disc>(&shape)) return Disc{factor * disc->radius};
+  if (const auto* box = std::get_if<Box>(&shape)) return Box{factor * box->width, factor * box->height};
+  if (const auto* wall = std::get_if<Wall>(&shape)) {
+    return wall->length ? Wall{factor * *wall->length} : *wall;
+  }
+  if constexpr (std::is_same_v<Form, Shape>) {
+    if (const auto* compound = std::get_if<Compound>(&shape)) {
+      Compound out = *compound;
+      for (PlacedShape& placed : out.shapes) {
+        placed.shape = times(placed.shape, factor);
+        placed.position *= factor;
+      }
+      return out;
+    }
+  }
+  Polygon polygon = std::get<Polygon>(shape);
+  for (Vec2& vertex : polygon.vertices) vertex *= factor;
+  polygon.rounding *= factor;
+  return polygon;
+}
+
 }  // namespace
+
+Shape scaled(const Shape& shape, double factor) { return times(shape, factor); }
 
 Body resized(const Body& body, const Shape& shape, Keeps keeps) {
   Body out = body;
   out.shape = shape;
+  if (keeps == Keeps::kMass && !out.mass && !has_infinite_mass(body)) {
+    out.mass = mass_of(body);
+    out.density.reset();
+  }
   const double grown = area(shape) / area(body.shape);
   if (!std::isfinite(grown) || grown == 0.0) return out;
   const double heavier = keeps == Keeps::kDensity ? grown : 1.0;
   if (out.mass) *out.mass *= heavier;
   if (out.inertia) *out.inertia *= heavier * inertia_per_mass(shape) / inertia_per_mass(body.shape);
-  if (keeps == Keeps::kMass && !out.mass && !has_infinite_mass(body)) {
-    out.mass = mass_of(body);
-    out.density.reset();
-  }
   return out;
 }
 

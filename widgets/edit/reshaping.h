@@ -18,6 +18,9 @@ struct Attached {
   return {scene.joints, scene.forces.springs, scene.forces.applied};
 }
 
+// Larger by this factor in all directions; a half-plane stays.
+[[nodiscard]] Shape scaled(const Shape& shape, double factor);
+
 // What a body keeps that gets another size: its density, and a stated mass and inertia follow; or its mass.
 enum class Keeps { kDensity, kMass };
 [[nodiscard]] Body resized(const Body& body, const Shape& shape, Keeps keeps = Keeps::kDensity);

@@ -21,6 +21,7 @@ constexpr double kSpinStep = 0.5;  // rad/s
 constexpr double kTurnStep = 5.0;  // degrees
 constexpr double kLargeTurnStep = 45.0;
 constexpr double kLengthStep = 0.01;  // m
+constexpr double kFactorStep = 0.05;  // of the size of a compound
 constexpr double kAtRest = 12.0;      // px from the centre: a velocity drawn from inside the body becomes 0
 
 bool shift(const DragPoint& point) { return point.keys.testFlag(Qt::ShiftModifier); }
@@ -196,6 +197,17 @@ Dragged resize_box(const DragStart& start, const DragPoint& point, const Box& bo
   return out;
 }
 
+// All of it, about its centre of mass.
+Dragged resize_compound(const DragStart& start, const DragPoint& point) {
+  const Body& body = start.bodies[0];
+  const double factor = (point.at - body.position).norm() / (start.press - body.position).norm();
+  Dragged out;
+  const double allowed = std::max(snaps(point) ? snapped(factor, kFactorStep) : factor, kFactorStep);
+  out.bodies = {resized(body, scaled(body.shape, allowed), start.keeps)};
+  out.value = size_text(out.bodies[0].shape, point);
+  return out;
+}
+
 // m: to which the mouse can aim.
 double drawn_step(const DragPoint& point) {
   return step_for_mouse(kLengthStep, point.scale) / (!snaps(point) ? 10.0 : 1.0);
@@ -213,6 +225,8 @@ Dragged resize(const DragStart& start, const DragPoint& point) {
     out = resize_disc(start, point, *disc);
   } else if (const auto* box = std::get_if<Box>(&body.shape)) {
     out = resize_box(start, point, *box);
+  } else if (std::holds_alternative<Compound>(body.shape)) {
+    out = resize_compound(start, point);
   } else if (const auto* wall = std::get_if<Wall>(&body.shape)) {
     out = resize_wall(start, point, wall->length.value_or(0.0));
   } else {

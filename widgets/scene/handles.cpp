@@ -132,14 +132,21 @@ void add_corners(const Body& body, const Polygon& polygon, const Camera& camera,
   }
 }
 
+// Of a disc, or of all shapes of a compound.
+void add_corners_around(const Body& body, const Camera& camera, std::vector<Handle>& handles) {
+  const QPointF centre = camera.to_screen(body.position);
+  const double radius = bounding_radius(body.shape) * camera.scale;
+  const bool compound = std::holds_alternative<Compound>(body.shape);
+  const double half = std::max((compound ? radius / std::numbers::sqrt2 : radius) + kGap,
+                               kLeastHandleDistance / std::numbers::sqrt2);
+  for (const QPointF corner : {QPointF(1, -1), QPointF(-1, -1), QPointF(-1, 1), QPointF(1, 1)}) {
+    handles.push_back({HandleKind::kRadius, 0, centre + half * corner, std::nullopt});
+  }
+}
+
 void add_sizes(const Body& body, const Camera& camera, std::vector<Handle>& handles) {
-  if (const auto* disc = std::get_if<Disc>(&body.shape)) {
-    const QPointF centre = camera.to_screen(body.position);
-    const double half =
-        std::max(disc->radius * camera.scale + kGap, kLeastHandleDistance / std::numbers::sqrt2);
-    for (const QPointF corner : {QPointF(1, -1), QPointF(-1, -1), QPointF(-1, 1), QPointF(1, 1)}) {
-      handles.push_back({HandleKind::kRadius, 0, centre + half * corner, std::nullopt});
-    }
+  if (std::holds_alternative<Disc>(body.shape) || std::holds_alternative<Compound>(body.shape)) {
+    add_corners_around(body, camera, handles);
   } else if (const auto* box = std::get_if<Box>(&body.shape)) {
     add_sizes_of_box(body, *box, camera, handles);
   } else if (const auto* wall = std::get_if<Wall>(&body.shape)) {

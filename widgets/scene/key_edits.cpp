@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <type_traits>
 #include <variant>
 
 #include "physics/scene/edit_rules.h"
@@ -54,29 +53,6 @@ double stepped(double value, double change, double step) {
 
 Vec2 stepped(const Vec2& value, const Vec2& change, double step) {
   return {stepped(value.x(), change.x(), step), stepped(value.y(), change.y(), step)};
-}
-
-template <class Form>
-Form scaled(const Form& shape, double factor) {
-  if (const auto* disc = std::get_if<Disc>(&shape)) return Disc{factor * disc->radius};
-  if (const auto* box = std::get_if<Box>(&shape)) return Box{factor * box->width, factor * box->height};
-  if (const auto* wall = std::get_if<Wall>(&shape)) {
-    return wall->length ? Wall{factor * *wall->length} : *wall;
-  }
-  if constexpr (std::is_same_v<Form, Shape>) {
-    if (const auto* compound = std::get_if<Compound>(&shape)) {
-      Compound out = *compound;
-      for (PlacedShape& placed : out.shapes) {
-        placed.shape = scaled(placed.shape, factor);
-        placed.position *= factor;
-      }
-      return out;
-    }
-  }
-  Polygon polygon = std::get<Polygon>(shape);
-  for (Vec2& vertex : polygon.vertices) vertex *= factor;
-  polygon.rounding *= factor;
-  return polygon;
 }
 
 // "1 rod", "2 strings", "3 links" of several kinds.

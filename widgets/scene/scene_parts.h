@@ -17,6 +17,9 @@ struct PartLine {
 };
 
 [[nodiscard]] bool has_part(const Scene& scene, const PartId& part);
+[[nodiscard]] inline auto number_of(const PartId& part) {
+  return std::visit([](const auto& id) { return id.number; }, part);
+}
 // The last one of the same kind; of number 0 if there is none.
 [[nodiscard]] PartId newest_like(const Scene& scene, const PartId& part);
 // Nothing without a scene, and for a force that does not act now. `metres_per_newton` is the length of arrows.

@@ -30,8 +30,10 @@ std::optional<LinkEnds> SceneTools::drawn_ends() const {
 // At the press of a drag.
 void SceneTools::begin_link() {
   const JointTool& tool = *joint_tool(tool_);
-  if (tool_ == SceneTool::kDrive && plays()) emit pauseRequested();  // it replaces the body as it stands
   if (sight_().frame && !first_end_ && !tool.one_click) first_end_ = end_at_mouse(tool, joint_sight(press_));
+  // A drive replaces its body as that stands in the paused scene.
+  const bool on_body = first_end_ && !first_end_->body.empty();
+  if (tool_ == SceneTool::kDrive && on_body && plays()) emit pauseRequested();
 }
 
 // At the end of a drag.
@@ -59,14 +61,14 @@ void SceneTools::join(const LinkEnds& ends) {
   if (!joined.fault.isEmpty()) return note({joined.fault, {}, mouse_, press_, true});
   first_end_.reset();
   await_part(joined.edits);
-  const bool awaits = awaited_part_.has_value();
+  const bool takes_value = awaited_part_ && draws_link_with_value();
   const QString refusal = own_edit(joined.edits, joined.name, ++drags_);
   if (!refusal.isEmpty()) {
     awaited_part_.reset();
     return note(refusal_bubble(refusal, mouse_, press_));
   }
   note({joined.value, joined.detail, mouse_, press_},
-       awaits ? std::optional(Grab{HandleKind::kBody, {}}) : std::nullopt);
+       takes_value ? std::optional(Grab{HandleKind::kBody, {}}) : std::nullopt);
   used_tool();
 }
 
@@ -88,7 +90,7 @@ void SceneTools::find_made_part() {
   const std::shared_ptr<const Frame> frame = sight_().frame;
   if (!awaited_part_ || !frame || !frame->scene) return;
   const PartId newest = newest_like(*frame->scene, *awaited_part_);
-  if (newest == *awaited_part_) return;
+  if (number_of(newest) <= number_of(*awaited_part_)) return;
   awaited_part_.reset();
   made_part_ = newest;
   const QString typed = std::exchange(typed_ahead_, {});

@@ -32,6 +32,8 @@ bool is_touch(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_K && 
 
 bool is_rename(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_F2 && keys == Qt::NoModifier; }
 
+bool is_removal(int key) { return key == Qt::Key_Delete || key == Qt::Key_Backspace; }
+
 bool is_lock(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_L && keys == Qt::NoModifier; }
 
 }  // namespace
@@ -47,11 +49,17 @@ bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
   if (key == Qt::Key_Backspace && !draft_.empty()) return true;
   const std::shared_ptr<const Frame> frame = sight_().frame;
   if (!frame || (!frame->scene && !plays())) return false;
-  const bool removes = key == Qt::Key_Delete || key == Qt::Key_Backspace;
-  if (removes && part_) return true;
+  if (is_removal(key) && part_) return true;
   if (selection_.empty() && awaited_.empty()) return false;
   if (is_rename(key, keys)) return selection_.names().size() == 1;
-  return removes || is_touch(key, keys) || is_lock(key, keys) || key_edit(key, keys).has_value();
+  return changes(key, keys);
+}
+
+// Whether the key does something to what is selected or drawn.
+bool SceneTools::changes(int key, Qt::KeyboardModifiers keys) const {
+  if (is_removal(key) || is_enter(key, keys) || (key == Qt::Key_A && keys == Qt::ControlModifier)) return true;
+  if (selection_.empty() && awaited_.empty()) return false;
+  return is_rename(key, keys) || is_touch(key, keys) || is_lock(key, keys) || key_edit(key, keys).has_value();
 }
 
 bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
@@ -62,8 +70,10 @@ bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
     return true;
   }
   if (types_noted(key, keys) && type_noted(QChar(key))) return true;
-  if (state_ != State::kNone) return true;  // the mouse has the bodies
-  if (is_enter(key, keys)) {
+  if (!changes(key, keys)) return true;                       // a digit that nothing takes
+  if (state_ != State::kNone) return true;                    // the mouse has the bodies
+  const bool drives = tool_ == SceneTool::kDrive && plays();  // which replaces a body as it stands
+  if (is_enter(key, keys) && !drives) {
     enter();
   } else if (key == Qt::Key_Backspace && !draft_.empty()) {
     draft_.take_back();
@@ -99,7 +109,9 @@ void SceneTools::press_waiting_keys() {
 }
 
 void SceneTools::edit_by_key(int key, Qt::KeyboardModifiers keys) {
-  if (is_touch(key, keys)) {
+  if (is_enter(key, keys)) {
+    enter();
+  } else if (is_touch(key, keys)) {
     put_in_touch();
   } else if (is_rename(key, keys)) {
     emit renameRequested();

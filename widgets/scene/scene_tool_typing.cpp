@@ -37,7 +37,9 @@ bool SceneTools::types_in_drag(int key, Qt::KeyboardModifiers keys) const {
 }
 
 bool SceneTools::draws_link_with_value() const {
-  return std::find(kLinksWithValue.begin(), kLinksWithValue.end(), tool_) != kLinksWithValue.end();
+  const std::shared_ptr<const Frame> frame = sight_().frame;
+  return frame && frame->scene &&
+         std::find(kLinksWithValue.begin(), kLinksWithValue.end(), tool_) != kLinksWithValue.end();
 }
 
 // Into the value that stands beside the mouse after a drag, and not after keys, which may go on. The other keys

@@ -45,6 +45,8 @@ bool SceneTools::refuse(const QString& sentence) {
 void SceneTools::scene_edited() {
   if (telling_) return;
   row_ = {};
+  awaited_part_.reset();
+  typed_ahead_.clear();
   drop_typing();
   end_note();
 }
@@ -252,6 +254,7 @@ std::string SceneTools::clicked_body() {
   const bool next = was_clicked(press_) && selection_.names().size() == 1 && selected != names.end();
   clicked_ = press_;
   if (names.empty()) return grab_->body;
+  if (next) clicked_through_ = selection_.names();
   return next && selected + 1 != names.end() ? *(selected + 1) : names.front();
 }
 
@@ -264,8 +267,11 @@ void SceneTools::press(const QPointF& at, bool repeated) {
   row_ = {};
   end_note();
   press_ = mouse_ = at;
-  const bool grabbed_before = grab_.has_value();
+  const bool grabbed_before = std::exchange(press_grabs_, false);
+  if (repeated && clicked_through_ && was_clicked(at)) set_selection(*clicked_through_);
+  clicked_through_.reset();
   grab_ = grab_at(at);
+  press_grabs_ = grab_.has_value();
   pressed_.reset();
   if (grab_ && plays()) pressed_ = body_now(*sight_().frame, index_.at(grab_->body));
   pressed_place_ = sight_().camera.to_world(at);
@@ -273,7 +279,7 @@ void SceneTools::press(const QPointF& at, bool repeated) {
   end_ = end_under(at);
   over_ = true;
   // The second click of a double click closes a polygon; it would hit the body of the first.
-  const bool used = repeated && tool_ != SceneTool::kSelect && !(grabbed_before && grab_);
+  const bool used = repeated && tool_ != SceneTool::kSelect && !(grabbed_before && press_grabs_);
   if (repeated && !draft_.empty()) close_polygon();
   state_ = used ? State::kMute : State::kPressed;
   repeated_ = repeated;

@@ -293,6 +293,7 @@ class SceneTools : public QObject {
   void drop_typing();
   // Keys (scene_tool_keys.cpp).
   [[nodiscard]] bool plays() const;
+  [[nodiscard]] bool changes(int key, Qt::KeyboardModifiers keys) const;
   void press_waiting_keys();
   void edit_by_key(int key, Qt::KeyboardModifiers keys);
   void enter();
@@ -338,8 +339,11 @@ class SceneTools : public QObject {
   QPointF mouse_;
   bool over_ = false;  // the mouse is over the scene
   Qt::KeyboardModifiers keys_{};
-  std::optional<Grab> grab_;           // none: empty space
-  std::optional<QPointF> clicked_;     // where a click last selected a body
+  std::optional<Grab> grab_;        // none: empty space
+  bool press_grabs_ = false;        // whether the last press did
+  std::optional<QPointF> clicked_;  // where a click last selected a body
+  // What was selected before that click, if it took the body below: the first one of a double click takes none.
+  std::optional<std::vector<std::string>> clicked_through_;
   std::optional<std::size_t> end_;     // of the chosen part, that a drag would take
   std::shared_ptr<EndDrag> end_drag_;  // the last one
   Joined moved_end_;                   // as it is, or why it can't be there

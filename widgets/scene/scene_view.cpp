@@ -391,6 +391,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && on_bubble(event->position()) && tools_->type_noted()) return;
   const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
   if (event->button() == Qt::LeftButton && change_scale(event->position(), shift)) return;
+  show_focus(false);
   button_ = event->button();
   press_at_ = last_at_ = event->position();
   if (button_ == Qt::LeftButton) {
@@ -520,16 +521,18 @@ void SceneView::leaveEvent(QEvent*) {
 }
 
 void SceneView::focusInEvent(QFocusEvent* event) {
-  constexpr auto kByKeys = std::to_array(
-      {Qt::TabFocusReason, Qt::BacktabFocusReason, Qt::ShortcutFocusReason, Qt::OtherFocusReason});
-  picture_.focus_frame = std::find(kByKeys.begin(), kByKeys.end(), event->reason()) != kByKeys.end();
-  canvas_->update();
+  constexpr auto kByKeys = std::to_array({Qt::TabFocusReason, Qt::BacktabFocusReason, Qt::ShortcutFocusReason});
+  show_focus(std::find(kByKeys.begin(), kByKeys.end(), event->reason()) != kByKeys.end());
 }
 
 void SceneView::focusOutEvent(QFocusEvent*) {
   hold_loupe(false);
-  picture_.focus_frame = false;
-  canvas_->update();
+  show_focus(false);
+}
+
+// With a frame, unless the mouse is what is used.
+void SceneView::show_focus(bool shown) {
+  if (std::exchange(picture_.focus_frame, shown) != shown) canvas_->update();
 }
 
 }  // namespace carom

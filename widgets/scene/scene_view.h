@@ -184,6 +184,7 @@ class SceneView : public QWidget {
   [[nodiscard]] bool shows_forces() const;
   [[nodiscard]] SceneSight sight() const;
   void show_typing(const QString& first);
+  void show_focus(bool shown);
   void place_typing();
   [[nodiscard]] Obstacles around_bubble() const;          // what it stands clear of
   [[nodiscard]] bool on_bubble(const QPointF& at) const;  // whose value a click edits

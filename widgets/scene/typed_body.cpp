@@ -175,6 +175,12 @@ class TypedBody : public TypedThing {
       body.position = now_.position + turned_by(body.angle, 0.5 * grown * side);
       out.value = quantity_text(size.x(), "m") + " × " + quantity_text(size.y(), "m");
     }
+    if (std::holds_alternative<Compound>(now_.shape)) {
+      const Vec2 size = 2.0 * half_extent(body.shape, 0.0);
+      const double factor = value / size.x();
+      body = resized(body, scaled(body.shape, factor), start_.keeps);
+      out.value = quantity_text(value, "m") + " × " + quantity_text(factor * size.y(), "m");
+    }
     if (const auto* wall = std::get_if<Wall>(&now_.shape)) {
       body = resized(body, Wall{value}, start_.keeps);
       const double grown = value - wall->length.value_or(0.0);

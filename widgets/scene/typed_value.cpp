@@ -17,6 +17,8 @@ std::vector<TypedValue> typed_sizes(const Shape& shape) {
               sizes.push_back({row.label, row.range, *number});
           }
         }
+        if constexpr (std::is_same_v<Form, Compound>)
+          sizes.push_back({"Width", positive("m"), 2.0 * half_extent(form, 0.0).x()});
       },
       shape);
   return sizes;

@@ -256,5 +256,34 @@ TEST_F(LabValuesTest, TheSceneFollowsWhatIsTyped) {
   EXPECT_EQ(edits().count(), steps_ + 1) << "one step of undo";
 }
 
+// Of the end of a rod, typed in the inspector: the body loses what the rod then forbids.
+TEST_F(LabValuesTest, ABodyKeepsWhatATypedEndAllows) {
+  type("Speed, m/s", "1");
+  ASSERT_TRUE(shows_start());
+  key(Qt::Key_O);
+  drag({-1.0, 0.0}, {-1.0, 1.0});
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->joints.size() == 1 && window_.frame()->scene; }));
+  window_.scene_view().choose_part(window_.preset().scene.joints.front().id);
+  ASSERT_TRUE(shows_start());
+  type("Anchor x, m", "-2");
+  ASSERT_TRUE(shows_start());
+  const Vec2 anchor = window_.preset().scene.joints.front().anchor;
+  EXPECT_EQ(anchor.x(), -2.0);
+  const Vec2 along = (anchor - body(0).position).normalized();
+  const Vec2 allowed = Vec2(1.0, 0.0) - along.x() * along;
+  EXPECT_NEAR((body(0).velocity - allowed).norm(), 0.0, 1e-9) << body(0).velocity.transpose();
+  EXPECT_TRUE(edits().undoText().startsWith("Anchor x of Rod 1")) << edits().undoText().toStdString();
+}
+
+// Also with a tool in hand that stays there; two quick clicks on empty space are two discs.
+TEST_F(LabValuesTest, ADoubleClickTypesWithAKeptTool) {
+  window_.scene_view().set_tool(SceneTool::kDisc, true);
+  press(pixel({-1.0, 0.0}));
+  release(pixel({-1.0, 0.0}));
+  double_click(pixel({-1.0, 0.0}));
+  ASSERT_NE(field(), nullptr);
+  key(Qt::Key_Escape);
+}
+
 }  // namespace
 }  // namespace carom

@@ -358,6 +358,14 @@ TEST_F(BodiesSheetTest, PastesAsASpreadsheetDoesInOneStep) {
   EXPECT_EQ(rows->fault(1, Column::kMass), nullptr);
 }
 
+TEST_F(BodiesSheetTest, RowsWithoutABodyAreSaid) {
+  QGuiApplication::clipboard()->setText("0.1\n0.2\n0.3\n0.4\n0.5\n");
+  click(0, Column::kX);
+  key(Qt::Key_V, Qt::ControlModifier);
+  EXPECT_EQ(now(2).position.x(), 0.3);
+  EXPECT_EQ(sentence(), "2 rows had no body to go to.");
+}
+
 // Several cells go into several cells; one goes into what is typed.
 TEST_F(BodiesSheetTest, PastesCellsAlsoWhileOneIsTyped) {
   click(0, Column::kMass);

@@ -28,7 +28,7 @@ TEST_F(InspectorTest, ATypedSizeKeepsDensityOrMass) {
   enter(field("Radius, m"), "*2");
   EXPECT_NEAR(std::get<Disc>(light().shape).radius, 2.0 * radius, 1e-12);
   EXPECT_NEAR(*light().mass, 4.0, 1e-12);
-  choose_below(box("Resized it keeps"));
+  choose_below(box("Resized"));
   EXPECT_EQ(told, std::vector{Keeps::kMass});
   EXPECT_EQ(made_.size(), 1U) << "no edit";
   enter(field("Radius, m"), "*0.5");

@@ -254,6 +254,28 @@ TEST(DragTest, ResizesABoxFromItsFarSide) {
               1e-12);
 }
 
+TEST(DragTest, ResizesACompoundAboutItsCentre) {
+  Body body = disc_at("dumbbell", 1.0, 1.0, 0.0);
+  const auto placed = [](double x) {
+    PlacedShape shape;
+    shape.shape = Disc{0.1};
+    shape.position.x() = x;
+    return shape;
+  };
+  body.shape = Compound{{placed(-0.3), placed(0.3)}};
+  body.mass = 2.0;
+  const DragStart start = start_of(HandleKind::kRadius, body, Vec2(1.3, 1.3));
+  const Dragged resized = drag(start, Vec2(1.452, 1.45));
+  const auto& shapes = std::get<Compound>(resized.bodies[0].shape).shapes;
+  EXPECT_NEAR(std::get<Disc>(shapes[0].shape).radius, 0.15, 1e-12);
+  EXPECT_NEAR(shapes[1].position.x(), 0.45, 1e-12);
+  EXPECT_NEAR(*resized.bodies[0].mass, 4.5, 1e-12);
+  EXPECT_EQ(resized.value, "1.20 m × 0.30 m");
+  EXPECT_NEAR(
+      std::get<Disc>(std::get<Compound>(drag(start, Vec2(1.0, 1.0)).bodies[0].shape).shapes[0].shape).radius,
+      0.005, 1e-12);
+}
+
 // And with it what pulls beside the centre, which moves by 0.1 m; what pulls at the centre goes with that.
 TEST(DragTest, SpringsAndForcesStayAtAResizedBox) {
   Body body = disc_at("box", 1.0, 1.0, 0.0);

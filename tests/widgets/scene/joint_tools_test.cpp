@@ -97,7 +97,7 @@ TEST_F(JointToolsTest, TheValueOfWhatIsDrawnIsTyped) {
   EXPECT_NEAR(scene_.forces.applied.front().force.norm(), 4.0, 1e-12);
 }
 
-// A run that plays shows the joint a while after it was made.
+// The frame that shows the joint may come a while after it was made.
 TEST_F(JointToolsTest, DigitsWaitForTheJointThatIsAwaited) {
   view_.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&view_));
@@ -114,6 +114,24 @@ TEST_F(JointToolsTest, DigitsWaitForTheJointThatIsAwaited) {
   show(true);
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
   EXPECT_EQ(scene_.joints.front().length, 2.5);
+}
+
+// A digit after a pin, which has no value, is none of the keys that change bodies.
+TEST_F(JointToolsTest, DigitsAfterAPinChangeNothing) {
+  answers_ = true;
+  view_.set_tool(SceneTool::kPin);
+  click(a_centre_);
+  ASSERT_EQ(scene_.joints.size(), 1U);
+  const std::size_t told = told_.size();
+  QTest::keyClick(&view_, Qt::Key_5);
+  view_.select({"A", "B"});
+  view_.set_tool(SceneTool::kWeld);
+  QTest::keyClick(&view_, Qt::Key_Return);
+  const std::size_t welded = told_.size();
+  EXPECT_EQ(welded, told + 1);
+  QTest::keyClick(&view_, Qt::Key_5);
+  EXPECT_EQ(told_.size(), welded);
+  EXPECT_EQ(scene_.bodies.size(), 3U);
 }
 
 TEST_F(JointToolsTest, AnEndSnapsToACentreWithin12Pixels) {
