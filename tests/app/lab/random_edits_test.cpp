@@ -129,15 +129,19 @@ class EditedSession {
       return frame && frame->scene && !runs.replayed() && runs.waits().isEmpty() &&
              runs.recorders()[0]->series(curve) != nullptr && frame->rows_known_until >= frame->time;
     })) << last_;
-    if (runs.lost() == nullptr) return;
-    restart();
+  }
+  // The same, and a run that is lost begins again.
+  void settle_anew() {
     settle();
+    if (session_.runs().lost() == nullptr) return;
+    restart();
+    settle_anew();
   }
   // At the shown moment.
   void edit_now(unsigned seed) {
     const std::size_t before = index();
     edit(*session_.runs().scene(), seed);
-    settle();
+    settle_anew();
     note(seed, before);
   }
   // While the run plays; or a disc that comes into it.
@@ -161,7 +165,7 @@ class EditedSession {
       ASSERT_TRUE(test::wait_in_event_loop([&] { return runs.waits().isEmpty(); }));
     }
     session_.runs().set_playing(false);
-    settle();
+    settle_anew();
     note(seed, before);
   }
   // What a drag has done is as if it had not been.
@@ -268,7 +272,7 @@ TEST_P(RandomEditsOnTheWay, AreKnownAndComeBack) {
   const int edits = test::by_effort(5, 10, 850);
   std::mt19937 random(GetParam());
   EditedSession edited;
-  edited.settle();
+  edited.settle_anew();
   for (int i = 0; i < edits && !testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE("edit " + std::to_string(i));
     LabRuns& runs = edited.session().runs();
@@ -296,7 +300,7 @@ TEST_P(RandomEditsOnTheWay, AreKnownAndComeBack) {
       default:
         edited.edit_now(static_cast<unsigned>(random()));
     }
-    edited.settle();
+    edited.settle_anew();
     edited.expect_known();
     edited.expect_known_run();
     edited.expect_reopens();
