@@ -2,6 +2,8 @@
 
 #include <QEvent>
 #include <QObject>
+#include <functional>
+#include <utility>
 
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
@@ -39,21 +41,23 @@ inline Preset thousand_discs() {
   return s;
 }
 
-// Counts the pictures that the scene's canvas paints.
-class PaintCounter : public QObject {
+// Calls `painted` for each picture that the scene's canvas is about to paint.
+class PaintWatch : public QObject {
  public:
-  explicit PaintCounter(SceneView& view) {
+  PaintWatch(SceneView& view, std::function<void()> painted) : painted_(std::move(painted)) {
     for (QWidget* child : view.findChildren<QWidget*>()) {
       if (child->size() == view.size()) child->installEventFilter(this);
     }
   }
-  int painted = 0;
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() == QEvent::Paint) ++painted;
+    if (event->type() == QEvent::Paint) painted_();
     return QObject::eventFilter(watched, event);
   }
+
+ private:
+  std::function<void()> painted_;
 };
 
 }  // namespace carom::bench

@@ -44,26 +44,28 @@ int main(int argc, char** argv) {
   while (clock.elapsed() < 1000 || !window.frame() || !window.frame()->scene) process(10);
 
   SceneView& view = window.scene_view();
-  bench::PaintCounter counter(view);
   const std::size_t dragged = preset.scene.bodies.size() / 2;
   const Vec2 from = preset.scene.bodies[dragged].position;
-  send(view, QEvent::MouseButtonPress, view.camera().to_screen(from), Qt::LeftButton);
-  std::vector<double> waits;  // ms
-  for (int move = 1; move <= kMoves; ++move) {
-    const Vec2 to = from + Vec2(0.05 * move, 0.02 * move);
-    counter.painted = 0;
+  Vec2 wanted = from;
+  bool painted_there = false;
+  bench::PaintWatch watch(view, [&] {
+    const Vec2 at = window.frame()->state.position(static_cast<int>(dragged));
+    painted_there = painted_there || (at - wanted).norm() < kNear;
+  });
+  const auto moved_to = [&](const Vec2& to) {
+    wanted = to;
+    painted_there = false;
     QElapsedTimer since;
     since.start();
     send(view, QEvent::MouseMove, view.camera().to_screen(to), Qt::NoButton);
-    bool there = false;
-    while (since.elapsed() < kPatience && !(there && counter.painted > 0)) {
-      const bool was = there;
-      there = (window.frame()->state.position(static_cast<int>(dragged)) - to).norm() < kNear;
-      if (there && !was) counter.painted = 0;
-      process(1);
-    }
-    waits.push_back(1e-6 * static_cast<double>(since.nsecsElapsed()));
-  }
+    while (since.elapsed() < kPatience && !painted_there) process(1);
+    return 1e-6 * static_cast<double>(since.nsecsElapsed());
+  };
+  send(view, QEvent::MouseButtonPress, view.camera().to_screen(from), Qt::LeftButton);
+  const Vec2 begun = from + Vec2(0.5, 0.2);  // farther than a click
+  moved_to(begun);
+  std::vector<double> waits;  // ms
+  for (int move = 1; move <= kMoves; ++move) waits.push_back(moved_to(begun + move * Vec2(0.05, 0.02)));
   send(view, QEvent::MouseButtonRelease, view.camera().to_screen(from + Vec2(10.0, 4.0)), Qt::LeftButton);
   std::sort(waits.begin(), waits.end());
   const auto share = [&](double p) { return waits[static_cast<std::size_t>(p * (kMoves - 1))]; };

@@ -20,7 +20,7 @@ struct Rates {
   double speed = 0.0;   // simulated seconds a second
 };
 
-Rates measure(LabWindow& window, bench::PaintCounter& counter, int plots) {
+Rates measure(LabWindow& window, int& painted, int plots) {
   auto* panel = window.findChild<PlotPanel*>();
   constexpr std::array kPlots = {"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift"};
   for (int i = 0; i < static_cast<int>(kPlots.size()); ++i)
@@ -35,11 +35,11 @@ Rates measure(LabWindow& window, bench::PaintCounter& counter, int plots) {
   while (window.frame()->rows_known_until < window.frame()->time)
     run(0.1);  // new curves come from the start on
   run(0.5);
-  counter.painted = 0;
+  painted = 0;
   const double from = window.frame()->time;
   constexpr double kSeconds = 4.0;
   run(kSeconds);
-  return {counter.painted / kSeconds, (window.frame()->time - from) / kSeconds};
+  return {painted / kSeconds, (window.frame()->time - from) / kSeconds};
 }
 
 }  // namespace
@@ -52,13 +52,14 @@ int main(int argc, char** argv) {
   window.show();
   window.show_scene(bench::thousand_discs(), {}, {});
   emit window.findChild<TransportBar*>()->playClicked(true);
-  bench::PaintCounter counter(window.scene_view());
+  int painted = 0;
+  bench::PaintWatch watch(window.scene_view(), [&painted] { ++painted; });
   fmt::print("painted by {}\n", window.scene_view().uses_opengl() ? "OpenGL" : "QPainter");
   Rates sum[2];
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
     for (const int plots : {1, 6}) {
-      const Rates rates = measure(window, counter, plots);
+      const Rates rates = measure(window, painted, plots);
       sum[plots == 6].frames += rates.frames / kRounds;
       fmt::print("{} plots: {:.1f} pictures a second, x{:.2f}\n", plots, rates.frames, rates.speed);
     }
