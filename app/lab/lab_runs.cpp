@@ -1,6 +1,7 @@
 #include "app/lab/lab_runs.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <utility>
 
@@ -154,6 +155,16 @@ void LabRuns::poll() {
   }
 }
 
+void LabRuns::show_soon() {
+  constexpr std::chrono::milliseconds kLongest{4};  // it is ready after 1 ms for a thousand bodies
+  const auto take = [this] {
+    if (!begins_ && awaited_ == 0) return;  // is shown already
+    worker_.wait_for_frames(kLongest);
+    poll();
+  };
+  QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
+}
+
 void LabRuns::take_news(const Frames& news) {
   begins_ = false;
   // Each run keeps its recorder, whatever runs were added or removed before it.
@@ -218,6 +229,7 @@ void LabRuns::begin() {
     before_ = before_left_;
   before_left_.reset();
   worker_.start_from(document_.preset, curves_, document_.reference);
+  show_soon();
 }
 
 Worker::EditId LabRuns::keep(Worker::EditId again) {
@@ -390,6 +402,7 @@ Worker::EditId LabRuns::edit(const std::vector<std::pair<std::size_t, Method>>& 
   if (!methods.empty()) part_of = worker_.set_methods(methods, part_of);
   awaited_ = worker_.edit_scene(edits, part_of);
   if (scene_ == nullptr) playing_scene_.expect(awaited_, edits);
+  show_soon();
   return awaited_;
 }
 

@@ -182,6 +182,9 @@ class LabRuns : public QObject {
   [[nodiscard]] RunBefore as_before() const;
   void leave_run();
   void poll();
+  // What was just begun or edited is taken before the window is painted next, if it is ready by then: each
+  // move of a drag is painted once, with what it has changed.
+  void show_soon();
   void take_news(const Frames& news);
   void show_start();
   void show_again(const Frames& frames, const std::shared_ptr<const Scene>& scene,
