@@ -25,6 +25,7 @@
 #include "widgets/plot/run_plot.h"
 #include "widgets/run/before_after_panel.h"
 #include "widgets/run/experiment_list.h"
+#include "widgets/run/experiment_preview.h"
 #include "widgets/run/impacts_panel.h"
 #include "widgets/run/ledger_table.h"
 #include "widgets/run/transport_bar.h"
@@ -61,6 +62,7 @@ void LabWindow::make_body() {
   list_->hide();
 
   make_docks();
+  preview_ = new ExperimentPreview(*list_, view_->parentWidget());
   restore_bar_ = new NoticeBar;
   lost_bar_ = new NoticeBar;
   auto* inner = new QVBoxLayout;
@@ -104,15 +106,33 @@ void LabWindow::open_list(bool open) {
   list_->setVisible(open || pinned);
   if (open) {
     place_list();
-    before_preview_.reset();
     list_->begin_search();
-  } else if (!pinned) {
-    view_->setFocus(Qt::ShortcutFocusReason);
+    return;
   }
+  leave_preview();
+  if (!pinned) view_->setFocus(Qt::ShortcutFocusReason);
+}
+
+void LabWindow::close_list() {
+  list_action_->setChecked(false);
+  leave_preview();
+}
+
+void LabWindow::leave_preview() {
+  preview_->hide();
+  list_->set_current(session_.name());
+}
+
+// Over what the list leaves of the scene.
+void LabWindow::place_preview() {
+  const int list = list_pinned() ? 0 : list_->geometry().right() + 1;
+  const int left = view_->parentWidget()->mapFrom(centralWidget(), QPoint(list, 0)).x();
+  preview_->setGeometry(view_->geometry().adjusted(std::max(left - view_->x(), 0), 0, 0, 0));
 }
 
 void LabWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
+  leave_preview();
   // Once the tool bar has its new width.
   QTimer::singleShot(0, this, [this] { methods_->show_document(preset()); });
   place_list();
@@ -209,20 +229,22 @@ void LabWindow::connect_views() {
     show_notices();
   });
   connect(list_, &ExperimentList::openRequested, files_, [this](const QString& name) {
-    list_action_->setChecked(false);
+    close_list();
     view_->setFocus(Qt::ShortcutFocusReason);  // a list that stays had it
     files_->open(name.toStdString());
   });
   connect(list_, &ExperimentList::previewRequested, this, &LabWindow::preview);
-  connect(list_, &ExperimentList::closeRequested, this, &LabWindow::leave_preview);
+  connect(list_, &ExperimentList::closeRequested, this, &LabWindow::close_list);
   connect(list_, &ExperimentList::newRequested, this, [this] {
-    leave_preview();
+    close_list();
     new_document();
   });
   connect(list_, &ExperimentList::fileRequested, this, [this] {
-    leave_preview();
+    close_list();
     files_->choose();
   });
+  connect(preview_, &ExperimentPreview::chosen, list_, &ExperimentList::open_marked);
+  connect(preview_, &ExperimentPreview::left, this, &LabWindow::leave_preview);
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);
   connect(transport_, &TransportBar::restartClicked, &session_.starts(), &SessionStarts::restart);
   connect(transport_, &TransportBar::stepClicked, &session_.starts(), &SessionStarts::step_by);

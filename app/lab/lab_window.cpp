@@ -36,6 +36,7 @@
 #include "widgets/plot/reading_table.h"
 #include "widgets/run/before_after_panel.h"
 #include "widgets/run/experiment_list.h"
+#include "widgets/run/experiment_preview.h"
 #include "widgets/run/impacts_panel.h"
 #include "widgets/run/ledger_table.h"
 #include "widgets/run/transport_bar.h"
@@ -112,9 +113,6 @@ void LabWindow::connect_session() {
   connect(&session_.runs(), &LabRuns::noticesChanged, this, &LabWindow::show_notices);
   connect(&session_.history(), &EditHistory::documentChanged, this, &LabWindow::show_document);
   connect(&session_, &Session::modifiedChanged, this, &LabWindow::setWindowModified);
-  connect(&session_, &Session::modifiedChanged, this, [this](bool modified) {
-    if (modified) before_preview_.reset();  // it was taken up
-  });
   connect(&session_.history(), &EditHistory::plotsChanged, this, [this] {
     plots_->set_first_theories(first_theories_of(session_.history().document()));
     plots_->change_plots(preset().plots);
@@ -156,7 +154,6 @@ void LabWindow::keep_work(const QString& folder) { recovery_->begin(folder); }
 void LabWindow::keep_now() { recovery_->keep_now(); }
 
 void LabWindow::show_scene(const Preset& preset, const QString& name, const QString& file) {
-  before_preview_.reset();
   plots_->set_first_theories({});
   plots_->set_plots(preset.plots, all_bodies(preset));
   session_.open(preset, plots_->chosen(), plots_->curves(), name, file);
@@ -178,28 +175,17 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
   }
 }
 
-// The experiment under the mark of the list, until one is chosen or Escape brings back the one before. Unsaved
-// work is not left for it.
+// The start of the experiment that is marked in the list, until one is chosen. The work is left alone.
 void LabWindow::preview(const QString& name) {
-  if (session_.modified()) return;
-  const Shown before = before_preview_.value_or(
-      Shown{preset(), session_.name(), session_.file(), view_->tool(), view_->tool_kept()});
+  preview_->hide();
+  if (name.isEmpty() || name == session_.name()) return;
   try {
-    show_scene(read_preset(find_preset(name.toStdString())), name, {});
+    const Preset preset = read_preset(find_preset(name.toStdString()));
+    preview_->show_start(start_frame(preset), preset.view, view_->look(), QString::fromStdString(preset.title));
   } catch (const SceneError&) {
     return;  // the list has the reason
   }
-  before_preview_ = before;
-}
-
-void LabWindow::leave_preview() {
-  list_action_->setChecked(false);
-  const std::optional<Shown> before = std::exchange(before_preview_, std::nullopt);
-  if (!before) return;
-  files_->when_saved([this, before] {
-    show_scene(before->preset, before->name, before->file);
-    view_->set_tool(before->tool, before->tool_kept);
-  });
+  place_preview();
 }
 
 // What the experiment is about, and what its scene needs of the model.

@@ -32,6 +32,7 @@ class ComparePanel;
 class DocumentFiles;
 class Drawer;
 class ExperimentList;
+class ExperimentPreview;
 class ImpactsPanel;
 class GroupTools;
 class Inspector;
@@ -173,7 +174,9 @@ class LabWindow : public QMainWindow {
   void connect_session();
   void show_document();
   void preview(const QString& name);
+  void place_preview();
   void leave_preview();
+  void close_list();
   void show_about();
   void show_title();
   void say_saved(const QString& file);
@@ -185,20 +188,13 @@ class LabWindow : public QMainWindow {
   void compare_usual();
   void set_playing(bool playing);
 
-  struct Shown {
-    Preset preset;
-    QString name, file;
-    SceneTool tool;
-    bool tool_kept;
-  };
-
   Theme theme_;
   Session session_;
-  std::optional<Shown> before_preview_;  // while an experiment is shown that was not chosen yet
   DocumentFiles* files_ = nullptr;
   LabExports* exports_ = nullptr;
   WorkRecovery* recovery_ = nullptr;
 
+  ExperimentPreview* preview_ = nullptr;
   ExperimentList* list_ = nullptr;  // a column of a wide window (list_pinned()), else over the scene
   QAction* list_action_ = nullptr;
   QAction* pin_action_ = nullptr;       // the list is a column where there is room

@@ -2,7 +2,6 @@
 
 #include "app/library/preset_library.h"
 #include "physics/preset/preset_file.h"
-#include "physics/record/frame.h"
 #include "physics/scene/validate.h"
 #include "widgets/scene/scene_thumbnail.h"
 
@@ -25,18 +24,21 @@ std::vector<ExperimentItem> library_items() {
   return items;
 }
 
+Frame start_frame(const Preset& preset) {
+  const Simulation simulation(setup_of(preset));
+  Frame frame;
+  take_moment(simulation, frame);
+  frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
+  frame.forces = std::make_shared<const Forces>(preset.scene.forces);
+  return frame;
+}
+
 std::vector<QPixmap> library_pictures(const Theme& theme, double pixels) {
   std::vector<QPixmap> pictures;
   for (const LibraryEntry& entry : preset_library()) {
     pictures.emplace_back();
     try {
-      const Preset preset = read_preset(entry.file);
-      const Simulation simulation(setup_of(preset));
-      Frame frame;
-      take_moment(simulation, frame);
-      frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
-      frame.forces = std::make_shared<const Forces>(preset.scene.forces);
-      pictures.back() = scene_thumbnail(frame, theme, {52, 36}, pixels);
+      pictures.back() = scene_thumbnail(start_frame(read_preset(entry.file)), theme, {52, 36}, pixels);
     } catch (const SceneError&) {
       // The list shows the reason.
     }

@@ -166,7 +166,7 @@ ExperimentList::ExperimentList(const Theme& theme, QWidget* parent)
   connect(&rest_, &QTimer::timeout, this, [this] {
     const QListWidgetItem* marked = list_->currentItem();
     const QString name = marked == nullptr ? QString() : marked->data(kName).toString();
-    if (!name.isEmpty() && name != current_ && isVisible()) emit previewRequested(name);
+    if (isVisible()) emit previewRequested(name);
   });
   connect(search_, &QLineEdit::textChanged, this, &ExperimentList::fill);
   const auto open = [this](QListWidgetItem* item) {
@@ -221,6 +221,11 @@ void ExperimentList::begin_search() {
   search_->selectAll();
 }
 
+void ExperimentList::open_marked() {
+  rest_.stop();
+  if (QListWidgetItem* item = list_->currentItem()) emit list_->itemActivated(item);
+}
+
 bool ExperimentList::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::KeyPress) return QFrame::eventFilter(watched, event);
   switch (static_cast<QKeyEvent*>(event)->key()) {
@@ -232,9 +237,8 @@ bool ExperimentList::eventFilter(QObject* watched, QEvent* event) {
       return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      rest_.stop();
       if (list_->currentItem() == nullptr) choose_next(1);
-      if (QListWidgetItem* item = list_->currentItem()) emit list_->itemActivated(item);
+      open_marked();
       return true;
     case Qt::Key_Escape:
       rest_.stop();
@@ -298,6 +302,7 @@ void ExperimentList::fill() {
   }
   set_current(current_);
   if (!words.isEmpty()) mark_best(words);
+  rest_.start();
 }
 
 // What Enter opens: of the experiments that are found, the first one whose title has all words, else the first.

@@ -22,9 +22,9 @@ struct ExperimentItem {
 };
 
 // The experiments under their topics, each with a small picture, a search field, and buttons for an empty scene
-// and a file. One click opens an
-// experiment; the arrows choose one, which is shown when they rest, Enter opens it, Escape wants the list
-// closed. The search knows words that belong together: "restitution" finds what is said with e.
+// and a file. One click opens an experiment; arrows and search mark one, which is to be shown when they rest,
+// Enter opens it, Escape wants the list closed. The search knows words that belong together: "restitution"
+// finds what is said with e.
 class ExperimentList : public QFrame {
   Q_OBJECT
 
@@ -40,10 +40,11 @@ class ExperimentList : public QFrame {
   void set_over(bool over);
   // The search has the focus, its text is selected.
   void begin_search();
+  void open_marked();
 
  signals:
   void openRequested(const QString& name);
-  void previewRequested(const QString& name);  // it is marked, but not chosen
+  void previewRequested(const QString& name);  // of what is marked, once that rests; empty: nothing is
   void closeRequested();
   void newRequested();   // an empty scene
   void fileRequested();  // one from a file

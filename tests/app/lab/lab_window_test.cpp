@@ -14,6 +14,7 @@
 #include "tests/support/wait_events.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
+#include "widgets/run/experiment_preview.h"
 
 namespace carom {
 namespace {
@@ -164,43 +165,70 @@ TEST_F(LabWindowTest, EnterOpensTheExperimentWhoseTitleIsTyped) {
   }
 }
 
-// The scene follows the mark; Escape brings the experiment before back.
+// The start of the marked experiment is seen; run, undo and unsaved work are left alone.
 TEST_F(LabWindowTest, ArrowsInTheListShowTheExperimentUnderTheMark) {
   ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(wait_for([this] { return window_.frame() != nullptr; }));
+  ASSERT_FALSE(window_.session().add_body(0.0, 5.0).empty());
+  window_.run_until(0.5);
+  const auto time = [this] { return window_.session().runs().shown_time(); };
+  const double shown = time();
+  const int edits = window_.session().edits().count();
   auto* search = window_.findChild<ExperimentList*>()->findChild<QLineEdit*>();
-  const auto now = [this] { return window_.session().name(); };
+  auto* preview = window_.findChild<ExperimentPreview*>();
   QTest::keyClick(&window_.scene_view(), Qt::Key_E);
   QTest::keyClick(search, Qt::Key_Down);
   const QString next = list()->currentItem()->data(Qt::UserRole).toString();
   EXPECT_NE(next, "head-on");
-  EXPECT_EQ(now(), "head-on") << "while the key may come again";
-  ASSERT_TRUE(wait_for([&] { return now() == next; }));
+  EXPECT_FALSE(preview->isVisible()) << "while the key may come again";
+  ASSERT_TRUE(wait_for([&] { return preview->isVisible(); }));
   EXPECT_EQ(QApplication::focusWidget(), search);
   EXPECT_EQ(list()->currentItem()->data(Qt::UserRole).toString(), next);
-  QTest::keyClick(search, Qt::Key_Escape);
-  EXPECT_EQ(now(), "head-on");
-  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
-  QTest::keyClick(search, Qt::Key_Down);
-  ASSERT_TRUE(wait_for([&] { return now() == next; }));
-  QTest::keyClick(search, Qt::Key_Return);
-  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
-  QTest::keyClick(search, Qt::Key_Escape);
-  EXPECT_EQ(now(), next) << "it was chosen";
-}
-
-TEST_F(LabWindowTest, ArrowsInTheListLeaveUnsavedWorkAlone) {
-  ASSERT_TRUE(window_.open("head-on"));
-  ASSERT_TRUE(wait_for([this] { return window_.frame() != nullptr; }));
-  ASSERT_FALSE(window_.session().add_body(0.0, 5.0).empty());
-  ASSERT_TRUE(window_.isWindowModified());
-  auto* search = window_.findChild<ExperimentList*>()->findChild<QLineEdit*>();
-  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
-  QTest::keyClick(search, Qt::Key_Down);
-  EXPECT_NE(list()->currentItem()->data(Qt::UserRole).toString(), "head-on");
-  QTest::qWait(300);
   EXPECT_EQ(window_.session().name(), "head-on");
+  QTest::keyClick(search, Qt::Key_Up);
+  ASSERT_TRUE(wait_for([&] { return !preview->isVisible(); })) << "the open one";
+  QTest::keyClick(search, Qt::Key_Down);
+  ASSERT_TRUE(wait_for([&] { return preview->isVisible(); }));
+  QTest::keyClick(search, Qt::Key_Escape);
+  EXPECT_FALSE(preview->isVisible());
+  EXPECT_EQ(window_.session().name(), "head-on");
+  EXPECT_EQ(window_.session().edits().count(), edits);
+  EXPECT_EQ(time(), shown);
   EXPECT_TRUE(window_.isWindowModified());
   EXPECT_TRUE(window_.findChildren<QMessageBox*>().isEmpty());
+}
+
+TEST_F(LabWindowTest, EnterOrAClickOpensThePreviewedExperiment) {
+  auto* search = window_.findChild<ExperimentList*>()->findChild<QLineEdit*>();
+  auto* preview = window_.findChild<ExperimentPreview*>();
+  for (const bool click : {false, true}) {
+    ASSERT_TRUE(window_.open("head-on"));
+    QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+    QTest::keyClick(search, Qt::Key_Down);
+    const QString next = list()->currentItem()->data(Qt::UserRole).toString();
+    ASSERT_TRUE(wait_for([&] { return preview->isVisible(); }));
+    if (click) {
+      QTest::mouseClick(preview, Qt::LeftButton);
+    } else {
+      QTest::keyClick(search, Qt::Key_Return);
+    }
+    EXPECT_FALSE(preview->isVisible());
+    EXPECT_EQ(window_.session().name(), next);
+  }
+}
+
+// It is left with the mouse as well.
+TEST_F(LabWindowTest, APreviewGoesWhenTheMouseIsPressedElsewhere) {
+  ASSERT_TRUE(window_.open("head-on"));
+  auto* search = window_.findChild<ExperimentList*>()->findChild<QLineEdit*>();
+  auto* preview = window_.findChild<ExperimentPreview*>();
+  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+  QTest::keyClick(search, Qt::Key_Down);
+  ASSERT_TRUE(wait_for([&] { return preview->isVisible(); }));
+  QTest::mouseClick(window_.findChild<TransportBar*>(), Qt::LeftButton);
+  EXPECT_FALSE(preview->isVisible());
+  EXPECT_EQ(window_.session().name(), "head-on");
+  EXPECT_EQ(list()->currentItem()->data(Qt::UserRole).toString(), "head-on");
 }
 
 // Words may stand anywhere in what is said of an experiment.
