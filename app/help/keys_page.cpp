@@ -35,6 +35,8 @@ constexpr auto kSelectionKeys = std::to_array<KeyText>({
      QT_TRANSLATE_NOOP("KeysPage", "type the name of a single one")},
     {Qt::Key_Tab, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "Tab, Shift+Tab"),
      QT_TRANSLATE_NOOP("KeysPage", "select the next body, the one before")},
+    {Qt::Key_Space, Qt::ControlModifier, QT_TRANSLATE_NOOP("KeysPage", "Ctrl+Space"),
+     QT_TRANSLATE_NOOP("KeysPage", "this body stays selected when Tab goes on; again: it does not")},
     {Qt::Key_Enter, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "Enter"),
      QT_TRANSLATE_NOOP("KeysPage", "with a tool in hand, draw or join")},
     {Qt::Key_Escape, Qt::NoModifier, QT_TRANSLATE_NOOP("KeysPage", "Esc"),

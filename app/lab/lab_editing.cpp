@@ -311,10 +311,9 @@ void LabWindow::join_selection() {
 }
 
 void LabWindow::take_selection_apart() {
-  if (view_->selection().size() != 1) return;
-  with_scene(tr("Take apart"), [this, name = view_->selection().front()](const Scene& scene) {
-    regroup(taking_apart(scene, name));
-  });
+  if (view_->selection().empty()) return;
+  with_scene(tr("Take apart"),
+             [this, names = view_->selection()](const Scene& scene) { regroup(taking_apart(scene, names)); });
 }
 
 void LabWindow::regroup(const Regrouping& made) {

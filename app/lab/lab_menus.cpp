@@ -111,7 +111,7 @@ void LabWindow::make_edit_menu() {
                        [this] { take_selection_apart(); });
   connect(edit, &QMenu::aboutToShow, this, [this, join, apart] {
     join->setEnabled(view_->selection().size() > 1);
-    apart->setEnabled(view_->selection().size() == 1);
+    apart->setEnabled(!view_->selection().empty());
   });
   connect(edit, &QMenu::aboutToHide, this, [join, apart] {
     join->setEnabled(true);

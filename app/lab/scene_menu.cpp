@@ -96,7 +96,13 @@ void LabWindow::fill_menu_of_bodies(QMenu& menu) {
   add_key(menu, view_, tr("Reverse the &velocity"), Qt::Key_X);
   if (names.size() > 1) {
     do_it(tr("&Join into one body"), Qt::CTRL | Qt::Key_G, &LabWindow::join_selection);
-  } else if (body != nullptr && std::holds_alternative<Compound>(body->shape)) {
+  }
+  const auto& bodies = *frame()->bodies;
+  const bool has_compound = std::any_of(bodies.begin(), bodies.end(), [&](const Body& each) {
+    return std::holds_alternative<Compound>(each.shape) &&
+           std::find(names.begin(), names.end(), each.name) != names.end();
+  });
+  if (has_compound) {
     do_it(tr("Take &apart"), Qt::CTRL | Qt::SHIFT | Qt::Key_G, &LabWindow::take_selection_apart);
   }
   if (names.size() > 1) add_align_menu(&menu)->setEnabled(view_->can_align());

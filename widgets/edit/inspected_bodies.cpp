@@ -225,18 +225,23 @@ InspectedRow keeps_row(Keeps keeps) {
   return {.section = kMore, .label = "Resized", .choice = choice};
 }
 
+constexpr const char* kNoGroup = "none";  // typed: takes bodies out of their groups
+
 InspectedRow group_row(const std::vector<Body>& bodies) {
   const auto same = [&](const Body& body) { return body.group == bodies.front().group; };
   const bool shared = std::all_of(bodies.begin(), bodies.end(), same);
   InspectedName named;
   named.name = "Group";
   named.text = shared ? QString::fromStdString(bodies.front().group) : QString();
-  named.unset = shared ? "none" : "several";
-  named.edits = [bodies](const QString& group) {
+  named.unset = shared ? kNoGroup : "several";
+  named.edits = [bodies, shared](const QString& typed) {
+    const QString group = typed == kNoGroup ? QString() : typed;
     const QString subject = subject_of(bodies);
-    return NamedEdits{edits_of(bodies, [&](Body& body) { body.group = group.toStdString(); }),
-                      group.isEmpty() ? QString("Take %1 out of the group").arg(subject)
-                                      : QString("Put %1 into group %2").arg(subject, group)};
+    return NamedEdits{
+        edits_of(bodies, [&](Body& body) { body.group = group.toStdString(); }),
+        group.isEmpty()
+            ? QString(shared ? "Take %1 out of the group" : "Take %1 out of their groups").arg(subject)
+            : QString("Put %1 into group %2").arg(subject, group)};
   };
   return {.section = kMore, .label = "Group", .named = named};
 }

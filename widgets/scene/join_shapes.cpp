@@ -280,27 +280,34 @@ Regrouping joining(const Scene& scene, std::span<const std::string> names) {
   return out;
 }
 
-Regrouping taking_apart(const Scene& scene, const std::string& name) {
+Regrouping taking_apart(const Scene& scene, std::span<const std::string> names) {
   Regrouping out;
-  const std::vector<Body> found = named(scene.bodies, {&name, 1});
-  if (found.empty() || !std::holds_alternative<Compound>(found[0].shape)) {
-    out.refusal = QStringLiteral("%1 has only one shape").arg(text_of(name));
+  std::vector<Body> wholes = named(scene.bodies, names);
+  std::erase_if(wholes, [](const Body& body) { return !std::holds_alternative<Compound>(body.shape); });
+  if (wholes.empty()) {
+    out.refusal = names.size() == 1
+                      ? QStringLiteral("%1 has only one shape").arg(text_of(names[0]))
+                      : QStringLiteral("Each of the %1 bodies has only one shape").arg(names.size());
     return out;
   }
   std::vector<Body> bodies = all_bodies(scene);
-  for (Body& part : taken_apart(found[0])) {
-    part.name = free_body_name(bodies, name);
-    bodies.push_back(part);
-    out.bodies.push_back(part.name);
-    out.edits.emplace_back(Add<Body>{std::move(part)});
+  std::vector<std::string> gone;
+  for (const Body& whole : wholes) {
+    gone.push_back(whole.name);
+    for (Body& part : taken_apart(whole)) {
+      part.name = free_body_name(bodies, whole.name);
+      bodies.push_back(part);
+      out.bodies.push_back(part.name);
+      out.edits.emplace_back(Add<Body>{std::move(part)});
+    }
   }
-  const Deletion gone = deletion(scene, {&name, 1});
-  out.edits.insert(out.edits.end(), gone.edits.begin(), gone.edits.end());
+  const Deletion removed = deletion(scene, gone);
+  out.edits.insert(out.edits.end(), removed.edits.begin(), removed.edits.end());
   out.name = QStringLiteral("Take %1 apart into %2 %3")
-                 .arg(text_of(name))
+                 .arg(names_of(wholes))
                  .arg(out.bodies.size())
                  .arg(out.bodies.size() == 1 ? QStringLiteral("body") : QStringLiteral("bodies"));
-  if (!gone.links.isEmpty()) out.name += QStringLiteral(" and delete ") + gone.links;
+  if (!removed.links.isEmpty()) out.name += QStringLiteral(" and delete ") + removed.links;
   return out;
 }
 

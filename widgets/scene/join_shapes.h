@@ -32,7 +32,7 @@ struct Regrouping {
 // joints take out what they forbid of the velocities.
 [[nodiscard]] Regrouping joining(const Scene& scene, std::span<const std::string> names);
 
-// All that holds or pushes the body goes.
-[[nodiscard]] Regrouping taking_apart(const Scene& scene, const std::string& name);
+// Those of these bodies that have several shapes. All that holds or pushes them goes.
+[[nodiscard]] Regrouping taking_apart(const Scene& scene, std::span<const std::string> names);
 
 }  // namespace carom

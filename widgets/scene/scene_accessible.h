@@ -11,9 +11,9 @@ namespace carom {
 
 class SceneView;
 
-// What a screen reader finds in a SceneView: a list whose items are the bodies, in the order of the frame;
-// after them come the widgets that lie over the scene. An item is named by spoken_text(), and its action
-// selects it.
+// What a screen reader finds in a SceneView: a list whose items are the bodies, in the order of the frame, each
+// named by spoken_text() and selected by its action; then the handles around what is selected, each with its
+// value, which its action types; then the widgets that lie over the scene.
 class SceneAccessible : public QAccessibleWidget {
  public:
   explicit SceneAccessible(SceneView* view);
@@ -31,12 +31,16 @@ class SceneAccessible : public QAccessibleWidget {
   [[nodiscard]] QAccessibleInterface* focusChild() const override;
 
  private:
+  class Part;
   class Item;
+  class HandleItem;
 
   [[nodiscard]] int body_count() const;
+  [[nodiscard]] int handle_count() const;
 
   SceneView& view_;
-  mutable std::vector<QAccessible::Id> items_;  // made when they are asked for; QAccessible owns them
+  // Made when they are asked for; QAccessible owns them.
+  mutable std::vector<QAccessible::Id> items_, handles_;
 };
 
 // What screen readers are told of the body that was selected last, and only while nothing plays: that would be

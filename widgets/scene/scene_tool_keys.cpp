@@ -34,6 +34,10 @@ bool is_rename(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_F2 &
 
 bool is_removal(int key) { return key == Qt::Key_Delete || key == Qt::Key_Backspace; }
 
+bool is_stay(int key, Qt::KeyboardModifiers keys) {
+  return key == Qt::Key_Space && keys == Qt::ControlModifier;
+}
+
 bool is_lock(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_L && keys == Qt::NoModifier; }
 
 }  // namespace
@@ -46,6 +50,7 @@ bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
   }
   if (key == Qt::Key_A && keys == Qt::ControlModifier) return bodies_ != nullptr;
   if (is_enter(key, keys)) return tool_ != SceneTool::kSelect;
+  if (is_stay(key, keys)) return !selection_.empty();
   if (key == Qt::Key_Backspace && !draft_.empty()) return true;
   const std::shared_ptr<const Frame> frame = sight_().frame;
   if (!frame || (!frame->scene && !plays())) return false;
@@ -70,6 +75,10 @@ bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
     return true;
   }
   if (types_noted(key, keys) && type_noted(QChar(key))) return true;
+  if (is_stay(key, keys)) {
+    toggle_stay();
+    return true;
+  }
   if (!changes(key, keys)) return true;                       // a digit that nothing takes
   if (state_ != State::kNone) return true;                    // the mouse has the bodies
   const bool drives = tool_ == SceneTool::kDrive && plays();  // which replaces a body as it stands

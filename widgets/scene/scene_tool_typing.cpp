@@ -137,6 +137,33 @@ void SceneTools::type_value_of(const Grab& target, const Bubble& where, const QS
   begin_typing(std::move(typing), first);
 }
 
+std::vector<SceneTools::ToldHandle> SceneTools::told_handles() const {
+  const SceneSight sight = sight_();
+  std::vector<ToldHandle> told;
+  for (const Handle& handle : handles(sight)) {
+    const Grab grab{handle.kind, selection_.names()[handle.body], handle.corner};
+    const std::vector<Body> bodies = editable(grab.body, grab.kind);
+    if (bodies.empty()) return {};
+    const auto thing = typed_body(start_of(grab, bodies), bodies.front(), sight.camera.scale);
+    QStringList names;
+    QStringList values;
+    for (const TypedValue& value : thing->values()) {
+      names << (names.isEmpty() ? value.name : value.name.toLower());
+      values << quantity_text(value.value, value.range.unit);
+    }
+    told.push_back({handle.at, names.join(" and ") + " of " + thing->subject(), values.join(", ")});
+  }
+  return told;
+}
+
+void SceneTools::type_handle(std::size_t index) {
+  const std::vector<Handle> all = handles(sight_());
+  if (index >= all.size()) return;
+  const Handle& handle = all[index];
+  const Bubble where{{}, {}, handle.at, handle.at, false};
+  type_value_of({handle.kind, selection_.names()[handle.body], handle.corner}, where);
+}
+
 // What a double click means where a drag could begin.
 bool SceneTools::type_at(const QPointF& at) {
   if (tool_ != SceneTool::kSelect && !grab_) return false;

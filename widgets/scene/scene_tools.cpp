@@ -66,49 +66,6 @@ void SceneTools::end_note() {
   emit changed();
 }
 
-// --- selection
-
-void SceneTools::set_selection(const std::vector<std::string>& names) {
-  awaited_.clear();
-  waiting_keys_.clear();
-  choose(std::nullopt);
-  if (!selection_.set(names)) return;
-  if (!note_of_ || names != std::vector{note_of_->body}) end_note();
-  emit selectionChanged(selection_.names());
-  emit changed();
-}
-
-void SceneTools::select(const std::vector<std::string>& names) {
-  if (!names.empty() && !index_.contains(names.back())) return select_when_shown(names);
-  std::vector<std::string> known;
-  std::copy_if(names.begin(), names.end(), std::back_inserter(known),
-               [this](const std::string& name) { return index_.contains(name); });
-  set_selection(known);
-}
-
-void SceneTools::select_awaited() {
-  if (awaited_.empty() || !index_.contains(awaited_.back())) return;
-  auto keys = std::exchange(waiting_keys_, {});
-  select(std::exchange(awaited_, {}));
-  waiting_keys_ = std::move(keys);
-}
-
-bool SceneTools::select_next(bool forward) {
-  if (!bodies_ || bodies_->empty()) return false;
-  const int count = static_cast<int>(bodies_->size());
-  int next = forward ? 0 : count - 1;
-  if (!selection_.empty()) next = index_.at(selection_.names().back()) + (forward ? 1 : -1);
-  if (next < 0 || next >= count) return false;
-  set_selection({(*bodies_)[static_cast<std::size_t>(next)].name});
-  return true;
-}
-
-std::vector<int> SceneTools::selected_indices() const {
-  std::vector<int> indices;
-  for (const std::string& name : selection_.names()) indices.push_back(index_.at(name));
-  return indices;
-}
-
 std::vector<Body> SceneTools::selected_now() const {
   const SceneSight sight = sight_();
   std::vector<Body> bodies;

@@ -67,7 +67,7 @@ class SceneTools : public QObject {
   // The chosen joint, spring or force; no body is selected then.
   [[nodiscard]] const std::optional<PartId>& part() const { return part_; }
   void choose(const std::optional<PartId>& part);
-  // The next or previous body; false after the last one.
+  // The next or previous body, beside those that stay selected (Ctrl+Space); false after the last one.
   bool select_next(bool forward);
   [[nodiscard]] SceneTool tool() const { return tool_; }
   // After one use it is kSelect again, unless it is kept.
@@ -129,6 +129,14 @@ class SceneTools : public QObject {
   bool type_noted(const QString& first = {});
   // Takes the text of the typed value, or returns one sentence on why it can't; `yields` as with Ctrl.
   [[nodiscard]] QString take_typed(const QString& text, bool yields);
+  // The handles around the selected bodies, for readers.
+  struct ToldHandle {
+    QPointF at;     // px
+    QString name;   // "Speed and direction of light"
+    QString value;  // "2 m/s, 30°"
+  };
+  [[nodiscard]] std::vector<ToldHandle> told_handles() const;
+  void type_handle(std::size_t index);  // types its value
   // Shows what the text would make of the scene, as far as it can be taken: with the next edit, or when typing
   // ends without one, that is over.
   void preview_typed(const QString& text);
@@ -297,6 +305,7 @@ class SceneTools : public QObject {
   void press_waiting_keys();
   void edit_by_key(int key, Qt::KeyboardModifiers keys);
   void enter();
+  void toggle_stay();
   bool escape();
   void remove_selected();
   void say_no_velocity();
@@ -316,6 +325,7 @@ class SceneTools : public QObject {
 
   std::function<SceneSight()> sight_;
   Selection selection_;
+  Selection stay_;                                   // selected when Tab goes on
   std::vector<std::string> awaited_;                 // see select_when_shown
   std::shared_ptr<const std::vector<Body>> bodies_;  // of `index_`
   std::unordered_map<std::string, int> index_;

@@ -101,6 +101,8 @@ class SceneView : public QWidget {
   void press_key(int key, Qt::KeyboardModifiers keys = {}) { tools_->press_key(key, keys); }
   [[nodiscard]] bool takes(int key, Qt::KeyboardModifiers keys = {}) const { return tools_->takes(key, keys); }
   // What a click of the tool draws, at a place of the widget.
+  [[nodiscard]] std::vector<SceneTools::ToldHandle> told_handles() const { return tools_->told_handles(); }
+  void type_handle(std::size_t index) { tools_->type_handle(index); }
   void draw_at(SceneTool tool, const QPointF& at) { tools_->draw_at(tool, at); }
   // Puts the selected bodies in line; there must be several that can be moved.
   void align(Alignment alignment) { tools_->align(alignment); }

@@ -52,6 +52,10 @@ TEST_F(InspectorTest, BodiesArePutIntoAGroup) {
   EXPECT_EQ(light().group, "");
   select({"heavy", "light"});
   EXPECT_EQ(field("Group")->placeholderText(), "several");
+  enter(field("Group"), "none");
+  EXPECT_EQ(made_.back().name, "Take 2 bodies out of their groups");
+  EXPECT_EQ(heavy().group, "");
+  EXPECT_EQ(field("Group")->placeholderText(), "none");
 }
 
 TEST_F(InspectorTest, AWallIsAHalfPlaneOrHasALength) {

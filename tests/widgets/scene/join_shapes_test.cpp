@@ -330,13 +330,25 @@ TEST_F(JoiningTest, TakingApartGivesNewNamesAndTakesJointsAlong) {
   add_joint(JointKind::kRod, "D", {0.0, 0.0}, "A", {0.1, 0.0});
   scene_.bodies[1].name = "A-2";
   scene_.joints[0].body = "A-2";
-  const Regrouping made = taking_apart(scene_, "A");
+  const Regrouping made = taking_apart(scene_, std::vector<std::string>{"A"});
   EXPECT_EQ(made.name, "Take A apart into 3 bodies and delete 1 rod");
   EXPECT_EQ(made.bodies, (std::vector<std::string>{"A-1", "A-3", "A-4"}));
   const Scene now = after(made);
   EXPECT_TRUE(now.joints.empty());
   ASSERT_EQ(now.bodies.size(), 4U);
-  EXPECT_EQ(taking_apart(scene_, "A-2").refusal, "A-2 has only one shape");
+  EXPECT_EQ(taking_apart(scene_, std::vector<std::string>{"A-2"}).refusal, "A-2 has only one shape");
+}
+
+TEST_F(JoiningTest, SeveralAreTakenApartAtOnce) {
+  scene_ = after(joining(scene_, std::vector<std::string>{"A", "B"}));
+  scene_ = after(joining(scene_, std::vector<std::string>{"C", "D"}));
+  const Regrouping made = taking_apart(scene_, std::vector<std::string>{"A", "C"});
+  EXPECT_EQ(made.name, "Take A and C apart into 4 bodies");
+  EXPECT_EQ(made.bodies, (std::vector<std::string>{"A-1", "A-2", "C-1", "C-2"}));
+  scene_ = after(made);
+  EXPECT_EQ(scene_.bodies.size(), 4U);
+  EXPECT_EQ(taking_apart(scene_, std::vector<std::string>{"A-1", "C-1"}).refusal,
+            "Each of the 2 bodies has only one shape");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <QTest>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "tests/support/scene_fixture.h"
 #include "tests/widgets/scene/scene_tools_fixture.h"
 #include "tests/widgets/scene/scene_view_fixture.h"
+#include "widgets/scene/value_bubble.h"
 
 namespace carom {
 namespace {
@@ -72,6 +74,41 @@ TEST_F(SceneAccessibleTest, AnItemIsSelectedByItsAction) {
   EXPECT_EQ(view_.selection(), std::vector{preset_.scene.bodies[1].name});
   EXPECT_TRUE(item->state().selected);
   EXPECT_FALSE(list()->child(0)->state().selected);
+}
+
+// After the bodies; their action opens the field of their value.
+TEST_F(SceneAccessibleTest, HandlesHaveNamesAndValues) {
+  Body& disc = preset_.scene.bodies[1];
+  disc.name = "light";
+  disc.shape = Disc{0.1};
+  disc.velocity = {std::sqrt(3.0), 1.0};
+  preset_.scene.bodies[1].fixed = false;
+  const auto frame = frame_of(Simulation(setup_of(preset_)));
+  frame->scene = std::make_shared<const Scene>(preset_.scene);
+  view_.set_frame(frame);
+  const int bodies = static_cast<int>(preset_.scene.bodies.size());
+  const int before = list()->childCount();
+  view_.select({"light"});
+  std::map<QString, QString> told;
+  QAccessibleInterface* radius = nullptr;
+  for (int i = bodies; i < bodies + (list()->childCount() - before); ++i) {
+    QAccessibleInterface* handle = list()->child(i);
+    told[handle->text(QAccessible::Name)] = handle->text(QAccessible::Value);
+    if (handle->text(QAccessible::Name) == "Radius of light") radius = handle;
+    EXPECT_EQ(list()->indexOfChild(handle), i);
+    const QPoint at = handle->rect().center();
+    EXPECT_EQ(list()->childAt(at.x(), at.y()), handle);
+  }
+  EXPECT_EQ(told, (std::map<QString, QString>{{"Radius of light", "0.1 m"},
+                                              {"Angle of light", "0°"},
+                                              {"Spin of light", "0 rad/s"},
+                                              {"Speed and direction of light", "2 m/s, 30°"}}));
+  ASSERT_NE(radius, nullptr);
+  radius->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+  EXPECT_TRUE(view_.findChild<ValueBubble*>()->isVisibleTo(&view_));
+  view_.select({});
+  EXPECT_EQ(list()->childCount(), before);
+  EXPECT_FALSE(radius->isValid());
 }
 
 TEST_F(SceneAccessibleTest, ASelectionAndWhatBecomesOfItAreSaid) {

@@ -293,6 +293,30 @@ TEST_F(SceneToolsTest, KeysSelect) {
   EXPECT_EQ(selected_, Names{"A"});
 }
 
+// Two bodies that are no neighbours.
+TEST_F(SceneToolsTest, KeysSelectSeveral) {
+  view_.setFocus();
+  QTest::keyClick(&view_, Qt::Key_Tab);
+  QTest::keyClick(&view_, Qt::Key_Space, Qt::ControlModifier);
+  EXPECT_EQ(selected_, Names{"floor"});
+  QTest::keyClick(&view_, Qt::Key_Tab);
+  EXPECT_EQ(selected_, (Names{"floor", "A"}));
+  QTest::keyClick(&view_, Qt::Key_Tab);
+  EXPECT_EQ(selected_, (Names{"floor", "B"}));
+  QTest::keyClick(&view_, Qt::Key_Space, Qt::ControlModifier);
+  QTest::keyClick(&view_, Qt::Key_Backtab, Qt::ShiftModifier);
+  EXPECT_EQ(selected_, (Names{"floor", "B", "A"}));
+  QTest::keyClick(&view_, Qt::Key_Backtab, Qt::ShiftModifier);
+  EXPECT_EQ(selected_, (Names{"B", "floor"}));
+  QTest::keyClick(&view_, Qt::Key_Space, Qt::ControlModifier);
+  QTest::keyClick(&view_, Qt::Key_Tab);
+  EXPECT_EQ(selected_, (Names{"B", "A"})) << "floor does not stay";
+  view_.select({"floor"});
+  view_.select({"B"});
+  QTest::keyClick(&view_, Qt::Key_Backtab, Qt::ShiftModifier);
+  EXPECT_EQ(selected_, Names{"A"}) << "another selection was made since";
+}
+
 TEST_F(SceneToolsTest, TheDiscToolAsksForADiscOnce) {
   std::vector<SceneTool> tools;
   QObject::connect(&view_, &SceneView::toolChanged, [&](SceneTool tool) { tools.push_back(tool); });
