@@ -1,6 +1,7 @@
 #include "physics/model/needs.h"
 
 #include <array>
+#include <cstddef>
 
 namespace carom {
 namespace {
@@ -62,6 +63,14 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
        return can_collide(f) && (accelerate_apart(f, scene) || f.yield);
      }},
 }};
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < kPartCount; ++i) {
+    if (kEntries[i].needed == nullptr || static_cast<std::size_t>(kEntries[i].part) != i) return false;
+  }
+  return true;
+}
+static_assert(in_order(), "each part has its entry, in the order of Part");
 
 }  // namespace
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "physics/model/compiled_scene.h"
@@ -72,6 +73,35 @@ TEST(Model, HasEachPartThatIsNeeded) {
     }
     EXPECT_TRUE(seen) << entry.noun;
   }
+}
+
+// Also those that were added since: a force that no part asks for would be read, shown and never felt.
+TEST(Model, EachForceThatASceneHasOnceActs) {
+  const auto end_of = [](const Scene& scene) {
+    Method method;
+    method.step = 0.01;
+    Simulation run(RunSetup{.scene = scene, .method = method});
+    for (int i = 0; i < 50; ++i) run.step();
+    return run.state().position(0);
+  };
+  const Scene none = test::scene_with({test::disc("a", {0, 0}, {1, 0}), test::disc("b", {3, 1}, {0, 0})});
+  CommonForces names;
+  each_common_force(names, [&](const CommonForce& force, const auto&...) {
+    Scene scene = none;
+    each_common_force(scene.forces, [&](const CommonForce& other, auto& own, const auto&...) {
+      if (other.name != force.name) return;
+      if constexpr (requires { own.emplace(); }) {
+        own.emplace();
+      } else {
+        own = 1.0;
+      }
+    });
+    const Needs needs = needs_of(scene);
+    EXPECT_TRUE(std::any_of(part_entries().begin(), part_entries().end(), [&](const PartEntry& entry) {
+      return entry.varies && needs.has(entry.part);
+    })) << force.name;
+    EXPECT_GT((end_of(scene) - end_of(none)).norm(), 1e-3) << force.name;
+  });
 }
 
 // A part that is left out makes no memory, and one that is in does: resting contacts are there only where the
