@@ -156,9 +156,9 @@ void LabRuns::poll() {
 }
 
 void LabRuns::show_soon() {
-  constexpr std::chrono::milliseconds kLongest{4};  // it is ready after 1 ms for a thousand bodies
   const auto take = [this] {
-    if (!begins_ && awaited_ == 0) return;  // is shown already
+    if (!begins_ && awaited_ == 0) return;            // is shown already
+    constexpr std::chrono::milliseconds kLongest{4};  // it is ready after 1 ms for a thousand bodies
     worker_.wait_for_frames(kLongest);
     poll();
   };

@@ -150,7 +150,7 @@ int SceneAccessible::childCount() const {
 }
 
 QAccessibleInterface* SceneAccessible::child(int index) const {
-  const auto part = [this](std::vector<QAccessible::Id>& parts, int place, const auto& make) {
+  const auto part = [](std::vector<QAccessible::Id>& parts, int place, const auto& make) {
     while (static_cast<int>(parts.size()) <= place)
       parts.push_back(QAccessible::registerAccessibleInterface(make(static_cast<int>(parts.size()))));
     return QAccessible::accessibleInterface(parts[static_cast<std::size_t>(place)]);
