@@ -24,6 +24,13 @@ class LabPlayEditTest : public LabHandsTest {
     ASSERT_TRUE(wait_for([this] { return time() > 0.02 && window_.frame()->playing; }));
     window_.scene_view().setFocus();
   }
+  // Where the body is while the mouse is pressed on it, however slow the machine is.
+  Vec2 place_of_slow_body() {
+    choose_speed(0.001);
+    const double from = time();
+    EXPECT_TRUE(wait_for([&] { return time() > from; }));
+    return window_.frame()->state.position(0);
+  }
   [[nodiscard]] bool pauses() {
     return wait_for([this] { return !window_.frame()->playing && window_.frame()->scene; });
   }
@@ -102,7 +109,7 @@ TEST_F(LabPlayEditTest, JoinPausesAndSaysWhatCannotBe) {
 
 TEST_F(LabPlayEditTest, ALinkIsDrawnIntoARun) {
   key(Qt::Key_O);
-  const Vec2 from = window_.frame()->state.position(0);
+  const Vec2 from = place_of_slow_body();
   hold(from, from + Vec2(0.0, 0.4));
   QTest::mouseRelease(&window_.scene_view(), Qt::LeftButton, {}, pixel(from + Vec2(0.0, 0.4)));
   EXPECT_TRUE(wait_for([this] { return undo_text().contains(": Add rod"); })) << undo_text().toStdString();
@@ -110,7 +117,7 @@ TEST_F(LabPlayEditTest, ALinkIsDrawnIntoARun) {
 
 TEST_F(LabPlayEditTest, ADrivePausesAndIsDrawn) {
   key(Qt::Key_M);
-  const Vec2 from = window_.frame()->state.position(0);
+  const Vec2 from = place_of_slow_body();
   hold(from, from + Vec2(0.0, 0.4));
   ASSERT_TRUE(pauses());
   QTest::mouseRelease(&window_.scene_view(), Qt::LeftButton, {}, pixel(from + Vec2(0.0, 0.4)));
