@@ -208,12 +208,13 @@ void limit_methods(const Document& document, const Scene& after, DocumentChange&
     change.emplace_back(SetMethods{methods, document.before_usual});
 }
 
-// What the bodies of a document are called in another start, by their ids; else by their names.
-std::vector<Renamed> renamed_to(const Preset& preset, const Start& start) {
+// What the bodies of a document are called in another scene with these late bodies, by their ids; else by
+// their names.
+std::vector<Renamed> renamed_to(const Preset& preset, const Scene& scene, const std::vector<RunEdit>& late) {
   std::set<std::string> names;
-  for (const Body& body : all_bodies(start.scene)) names.insert(body.name);
-  for (const RunEdit& edit : start.late) names.insert(added_body(edit).name);
-  std::vector<Renamed> renamed = renamed_bodies(preset.scene, start.scene);
+  for (const Body& body : all_bodies(scene)) names.insert(body.name);
+  for (const RunEdit& edit : late) names.insert(added_body(edit).name);
+  std::vector<Renamed> renamed = renamed_bodies(preset.scene, scene);
   std::erase_if(renamed, [](const Renamed& each) { return each.to.empty(); });
   for (const Renamed& each : renamed) names.insert(each.from);
   for (const Body& body : all_bodies(preset)) {
@@ -359,13 +360,20 @@ Start start_of(const Document& document) {
   return {document.start, preset.scene, preset.edits, preset.saved, preset.expect, preset.plots};
 }
 
+Preset as_named_in(const Scene& scene, Preset document) {
+  const std::vector<Renamed> renamed = renamed_to(document, scene, document.edits);
+  document.plots = with_names(std::move(document.plots), renamed);
+  document.stops = with_names(std::move(document.stops), renamed);
+  return document;
+}
+
 bool begin_alike(const Start& a, const Start& b) {
   return fingerprint_of_start(a.scene, a.saved, a.late) == fingerprint_of_start(b.scene, b.saved, b.late);
 }
 
 DocumentChange change_to_start(const Document& document, const Start& start) {
   const Preset& preset = document.preset;
-  const std::vector<Renamed> renamed = renamed_to(preset, start);
+  const std::vector<Renamed> renamed = renamed_to(preset, start.scene, start.late);
   DocumentChange change = {SetScene{start.scene}, SetLateBodies{start.late}, SetSaved{start.saved},
                            SetExpectations{start.expectations}, SetOrigin{start.origin}};
   leave_theories(document, renamed, start.plots, change);

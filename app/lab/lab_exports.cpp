@@ -19,6 +19,7 @@
 #include "app/export/run_export.h"
 #include "app/export/run_files.h"
 #include "app/export/run_progress.h"
+#include "app/lab/document_change.h"
 #include "app/lab/document_edit.h"
 #include "app/lab/document_files.h"
 #include "app/lab/export_dialog.h"
@@ -28,6 +29,7 @@
 #include "app/lab/session.h"
 #include "physics/files/output_file.h"
 #include "physics/preset/preset_file.h"
+#include "physics/run/scene_now.h"
 #include "physics/run/simulation.h"
 #include "physics/scene/validate.h"
 #include "widgets/base/ask.h"
@@ -236,7 +238,9 @@ void LabExports::save_run() {
                  with_progress(window_, tr("Save the run"), tr("The run cannot be saved"),
                                [=](const Progress& go_on) {
                                  const auto run = run_at(*frame->setup, frame->key_frames, time, go_on);
-                                 if (run) save_preset(saved_preset(document, *run), file.toStdString());
+                                 if (!run) return;
+                                 const Preset named = as_named_in(scene_now(*run), document);
+                                 save_preset(saved_preset(named, *run), file.toStdString());
                                });
                });
 }

@@ -33,6 +33,7 @@
 #include "tests/app/lab/lab_fixture.h"
 #include "tests/support/wait.h"
 #include "tests/support/wait_events.h"
+#include "widgets/edit/inspected.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
 #include "widgets/scene/scene_view.h"
@@ -271,6 +272,32 @@ TEST_F(LabExportTest, TheRunIsSavedAtTheShownMoment) {
     EXPECT_EQ(again.state().q, shown->state.q);
     EXPECT_EQ(again.state().v, shown->state.v);
   }
+}
+
+// Before a body that a plot and a stop name had the name that it has now.
+TEST_F(LabExportTest, TheRunIsSavedBeforeABodyWasRenamed) {
+  window_.run_until(1.0);
+  const Body body = window_.frame()->scene->bodies[1];
+  Session& session = window_.session();
+  Stop stop;
+  stop.kind = StopKind::kPassing;
+  stop.body = body.name;
+  session.change_stops({stop}, "a stop");
+  std::vector<Plot> plots = session.document().plots;
+  plots.emplace_back().y = {{.observable = "x", .bodies = {body.name}}};
+  session.change_plots(plots);
+  const NamedEdits renamed = renaming(body, "another name");
+  session.edit(renamed.edits, renamed.name);
+  ASSERT_EQ(session.document().stops.front().body, "another name");
+  session.runs().go_to(0.5);
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return session.runs().there(); }));
+  const QTemporaryDir dir;
+  save_run_as(dir.filePath("early.json"));
+  const Preset saved = read_preset(dir.filePath("early.json").toStdString());
+  EXPECT_EQ(saved.saved->time, 0.5);
+  EXPECT_EQ(saved.scene.bodies[1].name, body.name);
+  EXPECT_EQ(saved.stops.front().body, body.name);
+  EXPECT_EQ(saved.plots.back().y.front().bodies, std::vector{body.name});
 }
 
 TEST_F(LabExportTest, TheFilmDialogShowsNumberAndLengthOfFrames) {
