@@ -19,7 +19,7 @@ import sys
 from pathlib import Path
 
 import numpy
-from mpmath import mp, mpf, inf, pi, sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, ceil, floor, nstr, expm, matrix, ellipk, odefun
+from mpmath import mp, mpf, inf, pi, sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, ceil, floor, nstr, expm, matrix, ellipk, odefun, quad
 
 mp.dps = 50
 PRESETS = Path(__file__).resolve().parents[2] / "presets"
@@ -58,9 +58,9 @@ class Body:
         self.u, self.v = number(json_body.get("velocity", [0, 0]))
         self.spin = number(json_body.get("spin", 0))
         self.m = number(json_body.get("mass", 0))
-        self.r = number(json_body["shape"].get("radius", 0))
-        self.width = number(json_body["shape"].get("width", 0))
-        self.height = number(json_body["shape"].get("height", 0))
+        self.r = number(json_body.get("shape", {}).get("radius", 0))
+        self.width = number(json_body.get("shape", {}).get("width", 0))
+        self.height = number(json_body.get("shape", {}).get("height", 0))
         self.angle = number(json_body.get("angle", 0))
         self.drive = {k: number(v) for k, v in json_body.get("drive", {}).items()}
 
@@ -1106,6 +1106,206 @@ def granular_cooling():
     return r
 
 
+# --- bodies of several shapes ---------------------------------------------------------------------------------------
+
+
+class Plate:
+    """A body of several shapes or of one polygon, homogeneous. Area, centre and inertia (of unit density, about the
+    centre) by integrals over slices; corners from the centre, in the body's own axes."""
+
+    def __init__(self, json_body):
+        shapes = json_body.get("shapes") or [json_body]
+        sums = [mpf(0)] * 4  # area, moments of x and y, of x² + y²
+        corners = []
+        for each in shapes:
+            shape, (cx, cy) = each["shape"], number(each["position"] if "shapes" in json_body else [0, 0])
+            if shape["type"] == "polygon":
+                corners += [(cx + x, cy + y) for x, y in number(shape["vertices"])]
+                parts = self.triangles(corners)
+            elif shape["type"] == "box":
+                w, h = number(shape["width"]) / 2, number(shape["height"]) / 2
+                corners += [(cx + i * w, cy + k * h) for i, k in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+                parts = [self.slices(cx, w, cy, lambda x, h=h: h)]
+            else:
+                r = number(shape["radius"])
+                parts = [self.slices(cx, r, cy, lambda x, r=r: sqrt(r * r - x * x))]
+            for part in parts:
+                sums = [a + b for a, b in zip(sums, part)]
+        self.area, mx, my, second = sums
+        centre = (mx / self.area, my / self.area)
+        self.inertia = second - self.area * (centre[0] ** 2 + centre[1] ** 2)
+        self.corners = [(x - centre[0], y - centre[1]) for x, y in corners]
+
+    @staticmethod
+    def slices(cx, half, cy, height):
+        def integral(f):
+            return quad(f, [-half, 0, half])
+
+        return [integral(lambda x: 2 * height(x)), integral(lambda x: 2 * (cx + x) * height(x)),
+                integral(lambda x: 2 * cy * height(x)),
+                integral(lambda x: 2 * ((cx + x) ** 2 + cy**2) * height(x) + 2 * height(x) ** 3 / 3)]
+
+    @staticmethod
+    def triangles(corners):
+        """Of the origin and each edge, counted by their sign."""
+        for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1]):
+            double = ax * by - ay * bx
+            yield [double / 2, double * (ax + bx) / 6, double * (ay + by) / 6,
+                   double * (ax * ax + ax * bx + bx * bx + ay * ay + ay * by + by * by) / 12]
+
+    def lowest(self, angle):
+        return min(x * sin(angle) + y * cos(angle) for x, y in self.corners)
+
+
+def json_body(preset, name):
+    return next(b for b in preset.json["bodies"] if b["name"] == name)
+
+
+class Throw:
+    """A plate that flies: its moment at t by formulas, and by steps in which gravity acts half before, half after."""
+
+    def __init__(self, r, name, inertia_share):
+        """`inertia_share`: of unit density, by the formula."""
+        p = r.preset
+        self.body, self.g, plate = p.body(name), p.gravity, Plate(json_body(p, name))
+        density = number(json_body(p, name)["density"])
+        self.m, self.inertia, self.counted = density * plate.area, density * inertia_share, density * plate.inertia
+        b = self.body
+        self.t = mpf(next(e["time"] for e in p.expect if e["reduction"] == "at"))
+        steps = 1000
+        dt, at = self.t / steps, [b.x, b.y, b.angle]
+        speed, lowest = [b.u, b.v], inf
+        for _ in range(steps):
+            lowest = min(lowest, at[1] + plate.lowest(at[2]))
+            speed[1] -= self.g * dt / 2
+            at = [at[0] + speed[0] * dt, at[1] + speed[1] * dt, at[2] + b.spin * dt]
+            speed[1] -= self.g * dt / 2
+        if not lowest > 0:
+            r.fault(f"{name} has landed by then")
+        self.flown, self.speed = at, speed
+
+    def place(self):
+        b, t = self.body, self.t
+        return b.x + b.u * t, b.y + b.v * t - self.g * t * t / 2, b.angle + b.spin * t
+
+    def energies(self):
+        """Of both motions, and of rotation."""
+        b = self.body
+        turning = self.inertia * b.spin**2 / 2
+        return self.m * (b.u**2 + (b.v - self.g * self.t) ** 2) / 2 + turning, turning
+
+    def energies_counted(self):
+        turning = self.counted * self.body.spin**2 / 2
+        return self.m * (self.speed[0] ** 2 + self.speed[1] ** 2) / 2 + turning, turning
+
+
+def tumbling_l():
+    r = Report("tumbling-l")
+    long, _, wide = (mpf(k) for k in (0.6, 0, 0.2))
+    five = mpf(217) / 150 * wide**2 * (5 * wide**2)  # of unit density
+    throw = Throw(r, "L", five)
+    for what, formula, flown in zip(("x", "y", "angle"), throw.place(), throw.flown):
+        r.value(what, formula, flown)
+    within = mpf("1e-15")  # 0.6 is three times 0.2 but for the rounding of the doubles
+    whole, turning = throw.energies()
+    counted, counted_turning = throw.energies_counted()
+    r.value("kinetic energy", whole, counted, within)
+    r.value("½I·ω², I = (217/150)m·a²", turning, counted_turning, within)
+    b, (x, y, _) = throw.body, throw.place()
+    r.value("L about the origin", throw.m * (x * (b.v - throw.g * throw.t) - y * b.u) + throw.inertia * b.spin,
+            throw.m * (throw.flown[0] * throw.speed[1] - throw.flown[1] * throw.speed[0]) + throw.counted * b.spin,
+            within)
+    r.value("lost in flight", mpf(0))
+    return r
+
+
+def hammer():
+    r = Report("hammer")
+    handle, head = (each["shape"] for each in json_body(r.preset, "hammer")["shapes"])
+    apart = number(json_body(r.preset, "hammer")["shapes"][1]["position"])[0]
+    areas = [number(s["width"]) * number(s["height"]) for s in (handle, head)]
+    own = [a * (number(s["width"]) ** 2 + number(s["height"]) ** 2) / 12 for a, s in zip(areas, (handle, head))]
+    centre = areas[1] * apart / sum(areas)
+    inertia = sum(own) + areas[0] * centre**2 + areas[1] * (apart - centre) ** 2
+    throw = Throw(r, "hammer", inertia)
+    for what, formula, flown in zip(("x", "y", "angle"), throw.place(), throw.flown):
+        r.value(what, formula, flown)
+    whole, turning = throw.energies()
+    counted, counted_turning = throw.energies_counted()
+    r.value("½I·ω²", turning, counted_turning)
+    r.value("kinetic energy", whole, counted)
+    r.value("momentum", throw.m * throw.body.u, throw.m * throw.speed[0])
+    return r
+
+
+def dumb_bell():
+    r = Report("dumb-bell")
+    p = r.preset
+    ball, bell = p.body("ball"), json_body(p, "dumb-bell")
+    disc, rod = bell["shapes"][0]["shape"], bell["shapes"][1]["shape"]
+    radius, w, h = number(disc["radius"]), number(rod["width"]), number(rod["height"])
+    d = number(bell["shapes"][2]["position"])[0]
+    M = 2 * pi * radius**2 + w * h
+    inertia = 2 * pi * radius**2 * (radius**2 / 2 + d**2) + w * h * (w**2 + h**2) / 12
+    plate = Plate(bell)
+    r.agree("mass", M, plate.area)
+    r.agree("inertia", inertia, plate.inertia)
+
+    def energy(j):
+        """After this impulse, with what was counted."""
+        v = ball.v - j / ball.m
+        return ball.m * v**2 / 2 + j**2 / plate.area / 2 + (j * d) ** 2 / plate.inertia / 2
+
+    # The impulse that keeps the energy, a quadratic in it: by two differences.
+    slope, bend = (energy(mpf(1)) - energy(mpf(-1))) / 2, (energy(mpf(1)) + energy(mpf(-1))) / 2 - energy(mpf(0))
+    kept = -slope / bend
+    j = 2 * ball.v / (1 / ball.m + 1 / M + d**2 / inertia)
+    r.value("time of the impact", (-ball.y - radius - ball.r) / ball.v)
+    r.value("v of the dumb-bell", j / M, kept / plate.area)
+    r.value("its spin", j * d / inertia, kept * d / plate.inertia)
+    r.value("v of the ball", ball.v - j / ball.m, ball.v - kept / ball.m)
+    r.value("kinetic energy", ball.m * ball.v**2 / 2, energy(kept))
+    r.value("L about the origin", ball.m * ball.v * ball.x, ball.m * (ball.v - kept / ball.m) * d + kept * d)
+    r.value("lost to restitution", mpf(0))
+    r.agree("the far disc goes backwards, M·d² > I", mpf(1), mpf(kept / plate.area < kept * d / plate.inertia * d))
+    return r
+
+
+def cup_catches_a_ball():
+    r = Report("cup-catches-a-ball")
+    p = r.preset
+    ball, cup = p.body("ball"), p.body("cup")
+    plate = Plate(json_body(p, "cup"))
+    a, h, deep, thick = mpf(0.6), mpf(0.6), mpf(0.1), mpf(0.1)  # outside; the bottom, the walls
+    centre = (deep * h * deep / 2 + 2 * thick * (a - deep) * (a + deep) / 2) / (deep * h + 2 * thick * (a - deep))
+
+    def gap(t):
+        """Of the ball to the cup's outline."""
+        at, corners, nearest = (ball.x + ball.u * t - cup.x, ball.y - cup.y), plate.corners, inf
+        for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1]):
+            ex, ey = bx - ax, by - ay
+            s = min(mpf(1), max(mpf(0), ((at[0] - ax) * ex + (at[1] - ay) * ey) / (ex * ex + ey * ey)))
+            nearest = min(nearest, sqrt((ax + s * ex - at[0]) ** 2 + (ay + s * ey - at[1]) ** 2))
+        return nearest - ball.r
+
+    low, high = mpf(0), mpf("0.45")
+    if not all(gap(high * k / 900) > 0 for k in range(810)):
+        r.fault("the ball touches a side wall")
+    for _ in range(150):
+        middle = (low + high) / 2
+        low, high = (middle, high) if gap(middle) > 0 else (low, middle)
+    v1, v2 = collide(ball.m, cup.m, [ball.u, mpf(0)], [mpf(0), mpf(0)], (mpf(-1), mpf(0)), 0)
+    both, lost = ball.m * ball.u / (ball.m + cup.m), ball.m * cup.m / (ball.m + cup.m) * ball.u**2 / 2
+    # 0.6 - 0.5 is 0.1 but for the rounding of the doubles.
+    r.value("time of the impact", (ball.x - ball.r - cup.x - (deep - centre)) / -ball.u, low, mpf("1e-15"))
+    r.value("v of the cup", both, v2[0])
+    r.value("v of the ball", both, v1[0])
+    r.value("lost to restitution", lost, (ball.m * (ball.u**2 - v1[0] ** 2) - cup.m * v2[0] ** 2) / 2)
+    r.value("spin of the cup", mpf(0))
+    r.value("momentum", ball.m * ball.u, ball.m * v1[0] + cup.m * v2[0])
+    return r
+
+
 EXPERIMENTS = {
     "explosion": explosion,
     "graded-chain": graded_chain,
@@ -1116,6 +1316,10 @@ EXPERIMENTS = {
     "rough-bounce": rough_bounce,
     "spring-bumpers": spring_bumpers,
     "bar-between-springs": bar_between_springs,
+    "tumbling-l": tumbling_l,
+    "hammer": hammer,
+    "dumb-bell": dumb_bell,
+    "cup-catches-a-ball": cup_catches_a_ball,
     "moving-piston": moving_piston,
     "vibrating-table": vibrating_table,
     "gas": gas,
