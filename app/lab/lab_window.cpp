@@ -154,6 +154,7 @@ void LabWindow::keep_work(const QString& folder) { recovery_->begin(folder); }
 void LabWindow::keep_now() { recovery_->keep_now(); }
 
 void LabWindow::show_scene(const Preset& preset, const QString& name, const QString& file) {
+  preview_->hide();
   plots_->set_first_theories({});
   plots_->set_plots(preset.plots, all_bodies(preset));
   session_.open(preset, plots_->chosen(), plots_->curves(), name, file);

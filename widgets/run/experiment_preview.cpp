@@ -62,7 +62,8 @@ void ExperimentPreview::hideEvent(QHideEvent* event) {
 }
 
 bool ExperimentPreview::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::MouseButtonPress) leave_for(qobject_cast<QWidget*>(watched));
+  const bool other_size = event->type() == QEvent::Resize && watched == parentWidget();
+  if (event->type() == QEvent::MouseButtonPress || other_size) leave_for(qobject_cast<QWidget*>(watched));
   return false;
 }
 

@@ -217,6 +217,21 @@ TEST_F(LabWindowTest, EnterOrAClickOpensThePreviewedExperiment) {
   }
 }
 
+TEST_F(LabWindowTest, WhatTheSearchMarksIsPreviewed) {
+  ASSERT_TRUE(window_.open("head-on"));
+  auto* search = window_.findChild<ExperimentList*>()->findChild<QLineEdit*>();
+  auto* preview = window_.findChild<ExperimentPreview*>();
+  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+  QTest::keyClicks(search, "glancing");
+  ASSERT_TRUE(wait_for([&] { return preview->isVisible(); }));
+  search->clear();
+  ASSERT_TRUE(wait_for([&] { return !preview->isVisible(); })) << "the open one is marked";
+  QTest::keyClicks(search, "glancing");
+  ASSERT_TRUE(wait_for([&] { return preview->isVisible(); }));
+  ASSERT_TRUE(window_.open("bouncing-ball"));
+  EXPECT_FALSE(preview->isVisible()) << "as by a file that is dropped";
+}
+
 // It is left with the mouse as well.
 TEST_F(LabWindowTest, APreviewGoesWhenTheMouseIsPressedElsewhere) {
   ASSERT_TRUE(window_.open("head-on"));
