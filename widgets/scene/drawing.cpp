@@ -19,6 +19,7 @@ namespace {
 constexpr double kArrowWidth = 2.0;           // px
 constexpr double kLeastArrow = 6.0;           // px, shorter ones are left out
 constexpr double kLongestKey = 80.0;          // px
+constexpr double kRounding = 1e-9;            // of the view's shorter side a second: a slower speed is rounding
 constexpr double kLongestShare = 0.22;        // of the view's shorter side, for a peak's arrow
 constexpr double kLongestInCrowd = 1.5;       // of the mean distance of bodies that fill a square view
 constexpr double kLeastNamedRadius = 6.0;     // px
@@ -218,7 +219,7 @@ void Peaks::observe(const Frame& frame) {
 ArrowScale arrow_scale(const Peaks& peaks, double side) {
   ArrowScale scale;
   const double longest = side * std::min(kLongestShare, kLongestInCrowd / std::sqrt(std::max(1, peaks.moving)));
-  if (peaks.speed > 0.0) scale.seconds = step_not_above(longest / peaks.speed);
+  if (peaks.speed > kRounding * side) scale.seconds = step_not_above(longest / peaks.speed);
   if (peaks.impulse > 0.0) scale.metres_per_impulse = step_not_above(longest / peaks.impulse);
   const double force = std::max(peaks.force, peaks.contact_force);
   if (force > 0.0) scale.metres_per_newton = step_not_above(longest / force);

@@ -188,5 +188,9 @@ TEST(ArrowScale, KeepsThePeakReadable) {
   }
 }
 
+TEST(ArrowScale, ShowsNoSpeedThatIsRounding) {
+  EXPECT_LT(arrow_scale({.speed = 1e-14, .impulse = 0.0, .moving = 1}, 4.0).seconds * 1e-14, 1e-9);
+}
+
 }  // namespace
 }  // namespace carom
