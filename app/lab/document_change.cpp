@@ -208,13 +208,17 @@ void limit_methods(const Document& document, const Scene& after, DocumentChange&
     change.emplace_back(SetMethods{methods, document.before_usual});
 }
 
-// What the bodies of a document are called in another scene with these late bodies, by their ids; else by
-// their names.
+// What the bodies of a document, with those that come in later, are called in another scene with these late
+// bodies, by their ids; else by their names.
 std::vector<Renamed> renamed_to(const Preset& preset, const Scene& scene, const std::vector<RunEdit>& late) {
   std::set<std::string> names;
   for (const Body& body : all_bodies(scene)) names.insert(body.name);
   for (const RunEdit& edit : late) names.insert(added_body(edit).name);
-  std::vector<Renamed> renamed = renamed_bodies(preset.scene, scene);
+  const auto listed = [](Scene bodies, const std::vector<RunEdit>& edits) {
+    for (const RunEdit& edit : edits) bodies.bodies.push_back(added_body(edit));
+    return bodies;
+  };
+  std::vector<Renamed> renamed = renamed_bodies(listed(preset.scene, preset.edits), listed(scene, late));
   std::erase_if(renamed, [](const Renamed& each) { return each.to.empty(); });
   for (const Renamed& each : renamed) names.insert(each.from);
   for (const Body& body : all_bodies(preset)) {
@@ -360,10 +364,11 @@ Start start_of(const Document& document) {
   return {document.start, preset.scene, preset.edits, preset.saved, preset.expect, preset.plots};
 }
 
-Preset as_named_in(const Scene& scene, Preset document) {
-  const std::vector<Renamed> renamed = renamed_to(document, scene, document.edits);
+Preset as_named_in(const Scene& scene, const std::vector<RunEdit>& left, Preset document) {
+  const std::vector<Renamed> renamed = renamed_to(document, scene, left);
   document.plots = with_names(std::move(document.plots), renamed);
   document.stops = with_names(std::move(document.stops), renamed);
+  document.edits = left;
   return document;
 }
 

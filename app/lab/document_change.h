@@ -127,9 +127,9 @@ struct Start {
   std::vector<Plot> plots;  // with the theories of this start
 };
 [[nodiscard]] Start start_of(const Document& document);
-// The document whose plots and stops call bodies as another moment of its runs does, in this scene; those of
-// bodies that it does not have go.
-[[nodiscard]] Preset as_named_in(const Scene& scene, Preset document);
+// The document of a run that goes on from another moment, with this scene and the edits that are left then: its
+// plots and stops call bodies as they are called there; those of bodies that are not there, nor come, go.
+[[nodiscard]] Preset as_named_in(const Scene& scene, const std::vector<RunEdit>& left, Preset document);
 // Whether both begin the same runs.
 [[nodiscard]] bool begin_alike(const Start& a, const Start& b);
 // The change to another start: methods stay as far as it allows them, and so do plots, but for those of bodies

@@ -230,16 +230,16 @@ void LabExports::save_run() {
   if (!has_run() || !session_.history().may_edit_moment()) return;
   const LabRuns& runs = session_.runs();
   const double time = runs.frame()->time;
-  Preset document = session_.document();
-  document.edits = session_.history().edits_left();  // as when the run goes on from there
+  const Preset document = session_.document();
+  const std::vector<RunEdit> left = session_.history().edits_left();  // as when the run goes on from there
   const QString suggestion = tr("run, t = %1 s.json").arg(time, 0, 'g', 6);
   ask_for_file(window_, tr("Save the run as it stands"), suggestion, {{tr("Carom presets (*.json)"), "json"}},
-               [this, time, frame = runs.newest().front(), document](const QString& file) {
+               [this, time, frame = runs.newest().front(), document, left](const QString& file) {
                  with_progress(window_, tr("Save the run"), tr("The run cannot be saved"),
                                [=](const Progress& go_on) {
                                  const auto run = run_at(*frame->setup, frame->key_frames, time, go_on);
                                  if (!run) return;
-                                 const Preset named = as_named_in(scene_now(*run), document);
+                                 const Preset named = as_named_in(scene_now(*run), left, document);
                                  save_preset(saved_preset(named, *run), file.toStdString());
                                });
                });

@@ -132,7 +132,7 @@ void LabWindow::place_preview() {
 
 void LabWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
-  leave_preview();
+  preview_->hide();
   // Once the tool bar has its new width.
   QTimer::singleShot(0, this, [this] { methods_->show_document(preset()); });
   place_list();

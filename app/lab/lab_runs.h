@@ -182,8 +182,8 @@ class LabRuns : public QObject {
   [[nodiscard]] RunBefore as_before() const;
   void leave_run();
   void poll();
-  // What was just begun or edited is taken before the window is painted next, if it is ready by then: each
-  // move of a drag is painted once, with what it has changed.
+  // What was just begun or edited is taken before the window is painted next, if it is ready by then: a move of
+  // a drag, while nothing plays, is painted once, with what it has changed.
   void show_soon();
   void take_news(const Frames& news);
   void show_start();

@@ -1111,7 +1111,7 @@ def granular_cooling():
 
 class Plate:
     """A body of several shapes or of one polygon, homogeneous. Area, centre and inertia (of unit density, about the
-    centre) by integrals over slices; corners from the centre, in the body's own axes."""
+    centre) by integrals over slices; corners of boxes and polygons from the centre, in the body's own axes."""
 
     def __init__(self, json_body):
         shapes = json_body.get("shapes") or [json_body]
@@ -1120,8 +1120,9 @@ class Plate:
         for each in shapes:
             shape, (cx, cy) = each["shape"], number(each["position"] if "shapes" in json_body else [0, 0])
             if shape["type"] == "polygon":
-                corners += [(cx + x, cy + y) for x, y in number(shape["vertices"])]
-                parts = self.triangles(corners)
+                own = [(cx + x, cy + y) for x, y in number(shape["vertices"])]
+                corners += own
+                parts = self.triangles(own)
             elif shape["type"] == "box":
                 w, h = number(shape["width"]) / 2, number(shape["height"]) / 2
                 corners += [(cx + i * w, cy + k * h) for i, k in ((-1, -1), (1, -1), (1, 1), (-1, 1))]

@@ -235,7 +235,7 @@ InspectedRow group_row(const std::vector<Body>& bodies) {
   named.text = shared ? QString::fromStdString(bodies.front().group) : QString();
   named.unset = shared ? kNoGroup : "several";
   named.edits = [bodies, shared](const QString& typed) {
-    const QString group = typed == kNoGroup ? QString() : typed;
+    const QString group = typed.compare(kNoGroup, Qt::CaseInsensitive) == 0 ? QString() : typed;
     const QString subject = subject_of(bodies);
     return NamedEdits{
         edits_of(bodies, [&](Body& body) { body.group = group.toStdString(); }),

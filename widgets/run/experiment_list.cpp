@@ -1,5 +1,6 @@
 #include "widgets/run/experiment_list.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
@@ -166,9 +167,12 @@ ExperimentList::ExperimentList(const Theme& theme, QWidget* parent)
   connect(&rest_, &QTimer::timeout, this, [this] {
     const QListWidgetItem* marked = list_->currentItem();
     const QString name = marked == nullptr ? QString() : marked->data(kName).toString();
-    if (isVisible()) emit previewRequested(name);
+    if (isAncestorOf(QApplication::focusWidget())) emit previewRequested(name);
   });
-  connect(search_, &QLineEdit::textChanged, this, &ExperimentList::fill);
+  connect(search_, &QLineEdit::textChanged, this, [this] {
+    fill();
+    rest_.start();
+  });
   const auto open = [this](QListWidgetItem* item) {
     const QString name = item->data(kName).toString();
     if (name.isEmpty()) return;
@@ -205,6 +209,9 @@ void ExperimentList::set_current(const QString& name) {
     item->setData(kOpen, is_open);
     if (is_open) found = item;
   }
+  rest_.stop();
+  const QStringList words = search_words();
+  if (!words.isEmpty()) return mark_best(words);
   list_->setCurrentItem(found);
   if (found == nullptr) list_->clearSelection();
 }
@@ -266,8 +273,10 @@ void ExperimentList::choose_next(int way) {
   rest_.start();
 }
 
+QStringList ExperimentList::search_words() const { return search_->text().split(' ', Qt::SkipEmptyParts); }
+
 void ExperimentList::fill() {
-  const QStringList words = search_->text().split(' ', Qt::SkipEmptyParts);
+  const QStringList words = search_words();
   rest_.stop();
   list_->clear();
   QString topic;
@@ -301,8 +310,6 @@ void ExperimentList::fill() {
     none->setFlags(Qt::NoItemFlags);
   }
   set_current(current_);
-  if (!words.isEmpty()) mark_best(words);
-  rest_.start();
 }
 
 // What Enter opens: of the experiments that are found, the first one whose title has all words, else the first.

@@ -34,7 +34,8 @@ class ExperimentList : public QFrame {
   void set_items(std::vector<ExperimentItem> items);
   // 52×36 px in logical pixels, in the order of the items.
   void set_pictures(const std::vector<QPixmap>& pictures);
-  // Marks the experiment that is open; none for an unknown name.
+  // Marks the experiment that is open, none for an unknown name; while there are words to search, what Enter
+  // opens.
   void set_current(const QString& name);
   // Whether it stands over something else, with a frame of its own.
   void set_over(bool over);
@@ -56,6 +57,7 @@ class ExperimentList : public QFrame {
  private:
   void choose_next(int way);  // 1: downwards, -1: upwards
   void fill();
+  [[nodiscard]] QStringList search_words() const;
   void mark_best(const QStringList& words);
 
   Theme theme_;

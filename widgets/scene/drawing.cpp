@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "widgets/scene/drawing_before.h"
 #include "widgets/scene/drawing_forces.h"
@@ -144,8 +145,10 @@ class Builder {
       if (body.fixed || in_jump(i) || half.minCoeff() * in_.camera.scale < kLeastNamedRadius) continue;
       if (!seen_.meets(at, bounding_radius(body.shape))) continue;
       const double drop = kNameDrop + out_.outline / 2 + (is_selected(i) ? kHandles : 0.0);
-      out_.labels.push_back({at + Vec2(0.0, lowest(body.shape, in_.frame.state.q(2, i))), drop,
-                             QString::fromStdString(body.name), color});
+      const double angle = in_.frame.state.q(2, i);
+      const double low = lowest(body.shape, angle);
+      const double high = -lowest(body.shape, angle + std::numbers::pi);
+      out_.labels.push_back({at + Vec2(0.0, low), drop, QString::fromStdString(body.name), color, high - low});
     }
   }
 

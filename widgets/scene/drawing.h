@@ -62,6 +62,7 @@ struct Drawing {
     double drop;  // px below the anchor
     QString text;
     QColor color;
+    double rise = 0.0;  // m: with no place below the anchor it stands so far above, and `drop`
   };
   // An arrow of the picked impact.
   struct JumpArrow {

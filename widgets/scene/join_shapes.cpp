@@ -283,7 +283,12 @@ Regrouping joining(const Scene& scene, std::span<const std::string> names) {
 Regrouping taking_apart(const Scene& scene, std::span<const std::string> names) {
   Regrouping out;
   std::vector<Body> wholes = named(scene.bodies, names);
-  std::erase_if(wholes, [](const Body& body) { return !std::holds_alternative<Compound>(body.shape); });
+  const auto has_one = [](const Body& body) { return !std::holds_alternative<Compound>(body.shape); };
+  for (const Body& body : wholes) {
+    if (has_one(body)) out.bodies.push_back(body.name);
+  }
+  const std::size_t left = out.bodies.size();
+  std::erase_if(wholes, has_one);
   if (wholes.empty()) {
     out.refusal = names.size() == 1
                       ? QStringLiteral("%1 has only one shape").arg(text_of(names[0]))
@@ -305,8 +310,8 @@ Regrouping taking_apart(const Scene& scene, std::span<const std::string> names) 
   out.edits.insert(out.edits.end(), removed.edits.begin(), removed.edits.end());
   out.name = QStringLiteral("Take %1 apart into %2 %3")
                  .arg(names_of(wholes))
-                 .arg(out.bodies.size())
-                 .arg(out.bodies.size() == 1 ? QStringLiteral("body") : QStringLiteral("bodies"));
+                 .arg(out.bodies.size() - left)
+                 .arg(out.bodies.size() - left == 1 ? QStringLiteral("body") : QStringLiteral("bodies"));
   if (!removed.links.isEmpty()) out.name += QStringLiteral(" and delete ") + removed.links;
   return out;
 }

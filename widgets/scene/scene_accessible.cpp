@@ -1,6 +1,5 @@
 #include "widgets/scene/scene_accessible.h"
 
-#include <QLineF>
 #include <algorithm>
 #include <utility>
 
@@ -174,6 +173,7 @@ int SceneAccessible::indexOfChild(const QAccessibleInterface* child) const {
     const auto same = std::find(parts.begin(), parts.end(), id);
     return same == parts.end() ? -1 : static_cast<int>(same - parts.begin());
   };
+  if (!child->isValid()) return -1;
   const int body = place_in(items_);
   const int handle = place_in(handles_);
   return handle < 0 ? body : body_count() + handle;
@@ -184,11 +184,7 @@ QAccessibleInterface* SceneAccessible::childAt(int x, int y) const {
   if (!view_.rect().contains(at)) return nullptr;
   QAccessibleInterface* widget = QAccessibleWidget::childAt(x, y);
   if (widget != nullptr && widget->object() != view_.canvas()) return widget;
-  const auto handles = view_.told_handles();
-  for (int i = 0; i < static_cast<int>(handles.size()); ++i) {
-    if (QLineF(handles[static_cast<std::size_t>(i)].at, at).length() < kHandleReach)
-      return child(body_count() + i);
-  }
+  if (const auto handle = view_.handle_under(at)) return child(body_count() + static_cast<int>(*handle));
   const int body = view_.frame() == nullptr ? -1 : body_at(*view_.frame(), view_.camera(), at);
   return body < 0 ? widget : child(body);
 }

@@ -21,6 +21,29 @@ QString first_unit(std::string_view si) { return text_of(units_of(si).front().na
 constexpr auto kLinksWithValue =
     std::to_array({SceneTool::kRod, SceneTool::kString, SceneTool::kSpring, SceneTool::kForce});
 
+struct HandlePlace {
+  HandleKind kind;
+  const char* words;
+};
+constexpr auto kHandlePlaces = std::to_array<HandlePlace>({
+    {HandleKind::kRight, "right"},
+    {HandleKind::kTop, "top"},
+    {HandleKind::kLeft, "left"},
+    {HandleKind::kBottom, "bottom"},
+    {HandleKind::kTopRight, "top right"},
+    {HandleKind::kTopLeft, "top left"},
+    {HandleKind::kBottomLeft, "bottom left"},
+    {HandleKind::kBottomRight, "bottom right"},
+});
+
+// Which one of several it is, as the body would be seen unturned.
+QString place_text(const Handle& handle) {
+  if (handle.kind == HandleKind::kCorner) return QStringLiteral(", corner %1").arg(handle.corner + 1);
+  const auto found = std::find_if(kHandlePlaces.begin(), kHandlePlaces.end(),
+                                  [&](const HandlePlace& each) { return each.kind == handle.kind; });
+  return found == kHandlePlaces.end() ? QString() : QStringLiteral(", at its %1").arg(found->words);
+}
+
 bool has_values(const TypedThing* thing) { return thing != nullptr && !thing->values().empty(); }
 
 }  // namespace
@@ -151,12 +174,25 @@ std::vector<SceneTools::ToldHandle> SceneTools::told_handles() const {
       names << (names.isEmpty() ? value.name : value.name.toLower());
       values << quantity_text(value.value, value.range.unit);
     }
-    told.push_back({handle.at, names.join(" and ") + " of " + thing->subject(), values.join(", ")});
+    told.push_back(
+        {handle.at, names.join(" and ") + " of " + thing->subject() + place_text(handle), values.join(", ")});
   }
   return told;
 }
 
+std::optional<std::size_t> SceneTools::handle_under(const QPointF& at) const {
+  const std::vector<Handle> all = handles(sight_());
+  const std::optional<Handle> taken = handle_at(all, at);
+  if (!taken) return std::nullopt;
+  const auto same = std::find_if(all.begin(), all.end(), [&](const Handle& each) {
+    return each.kind == taken->kind && each.body == taken->body && each.corner == taken->corner;
+  });
+  return static_cast<std::size_t>(same - all.begin());
+}
+
 void SceneTools::type_handle(std::size_t index) {
+  if (state_ != State::kNone) return;
+  end_typing();
   const std::vector<Handle> all = handles(sight_());
   if (index >= all.size()) return;
   const Handle& handle = all[index];

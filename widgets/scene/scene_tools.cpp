@@ -102,7 +102,9 @@ void SceneTools::frame_changed() {
     for (int i = 0; i < (frame ? body_count(*frame) : 0); ++i) {
       index_.emplace((*bodies)[static_cast<std::size_t>(i)].name, i);
     }
-    if (selection_.keep_if([this](const std::string& name) { return index_.contains(name); })) {
+    const auto is_there = [this](const std::string& name) { return index_.contains(name); };
+    stay_.keep_if(is_there);
+    if (selection_.keep_if(is_there)) {
       emit selectionChanged(selection_.names());
     }
   }

@@ -132,11 +132,12 @@ class SceneTools : public QObject {
   // The handles around the selected bodies, for readers.
   struct ToldHandle {
     QPointF at;     // px
-    QString name;   // "Speed and direction of light"
+    QString name;   // "Speed and direction of light", "Width of A, at its right"
     QString value;  // "2 m/s, 30°"
   };
   [[nodiscard]] std::vector<ToldHandle> told_handles() const;
   void type_handle(std::size_t index);  // types its value
+  [[nodiscard]] std::optional<std::size_t> handle_under(const QPointF& at) const;
   // Shows what the text would make of the scene, as far as it can be taken: with the next edit, or when typing
   // ends without one, that is over.
   void preview_typed(const QString& text);

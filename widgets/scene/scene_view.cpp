@@ -51,6 +51,8 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
   connect(tools_, &SceneTools::selectionChanged, this, [this](const std::vector<std::string>& names) {
     refresh();  // names make room for handles, and selected bodies keep their arrows beside an impact
     const auto news = spoken_body_.selected(frame_.get(), names);
+    QAccessibleEvent handles(this, QAccessible::ObjectReorder);
+    QAccessible::updateAccessibility(&handles);
     if (hasFocus()) tell(*this, news);
     emit selectionChanged(names);
   });
@@ -148,6 +150,7 @@ void SceneView::set_view(const std::optional<View>& view) {
   fits_all_ = false;
   end_follow();
   home_ = true;
+  was_pressed_ = false;
   held_camera_ = false;
   held_arrows_.reset();
   run_seconds_.reset();
@@ -396,7 +399,8 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   press_at_ = last_at_ = event->position();
   if (button_ == Qt::LeftButton) {
     press_ = Press::kTool;
-    tools_->press(press_at_, event->type() == QEvent::MouseButtonDblClick);
+    tools_->press(press_at_, event->type() == QEvent::MouseButtonDblClick && was_pressed_);
+    was_pressed_ = true;
   } else if (button_ == Qt::MiddleButton || button_ == Qt::RightButton) {
     press_ = Press::kMayPan;
   } else {

@@ -100,9 +100,13 @@ class SceneView : public QWidget {
   // A key of the tools, pressed by other means; whether it means anything now.
   void press_key(int key, Qt::KeyboardModifiers keys = {}) { tools_->press_key(key, keys); }
   [[nodiscard]] bool takes(int key, Qt::KeyboardModifiers keys = {}) const { return tools_->takes(key, keys); }
-  // What a click of the tool draws, at a place of the widget.
+  // The handles, for readers; to type the value of one; the one that a press there takes.
   [[nodiscard]] std::vector<SceneTools::ToldHandle> told_handles() const { return tools_->told_handles(); }
   void type_handle(std::size_t index) { tools_->type_handle(index); }
+  [[nodiscard]] std::optional<std::size_t> handle_under(const QPointF& at) const {
+    return tools_->handle_under(at);
+  }
+  // What a click of the tool draws, at a place of the widget.
   void draw_at(SceneTool tool, const QPointF& at) { tools_->draw_at(tool, at); }
   // Puts the selected bodies in line; there must be several that can be moved.
   void align(Alignment alignment) { tools_->align(alignment); }
@@ -226,6 +230,7 @@ class SceneView : public QWidget {
 
   Press press_ = Press::kNone;
   Qt::MouseButton button_ = Qt::NoButton;
+  bool was_pressed_ = false;  // in this scene: a double click is none if the first press was elsewhere
   QPointF press_at_;
   QPointF last_at_;
   QString hint_;

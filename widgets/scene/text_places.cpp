@@ -63,12 +63,21 @@ QFont sized_font(QFont font, double pixels, QFont::Weight weight) {
 std::vector<NamePlace> name_places(const Drawing& drawing, const Camera& camera, const QFont& font,
                                    const Obstacles& obstacles) {
   const QFontMetricsF metrics(sized_font(font, drawing.text_size, QFont::DemiBold));
+  const std::vector<ScaleMark> scales = scale_row(drawing, camera, font);
+  const auto is_readable = [&](const QRectF& rect) {
+    return rect.top() >= 0.0 && rect.bottom() <= camera.viewport.height() &&
+           std::none_of(scales.begin(), scales.end(),
+                        [&](const ScaleMark& m) { return m.rect.intersects(rect); });
+  };
   std::vector<NamePlace> places;
   for (std::size_t k = 0; k < drawing.labels.size(); ++k) {
     const Drawing::LabelItem& label = drawing.labels[k];
     const double width = metrics.horizontalAdvance(label.text) + 2 * kNameGap;
-    const QPointF at = camera.to_screen(label.anchor) + QPointF(-0.5 * width, label.drop);
-    const QRectF rect = clear_below({at, QSizeF(width, metrics.ascent())}, obstacles);
+    const QPointF at = camera.to_screen(label.anchor) + QPointF(-0.5 * width, 0.0);
+    const QSizeF size(width, metrics.ascent());
+    const QRectF above(at - QPointF(0.0, label.rise * camera.scale + label.drop + size.height()), size);
+    QRectF rect = clear_below({at + QPointF(0.0, label.drop), size}, obstacles);
+    if (!is_readable(rect) && is_readable(above) && obstacles.covered_by(above) == 0) rect = above;
     if (std::any_of(places.begin(), places.end(), [&](const NamePlace& p) { return p.rect.intersects(rect); }))
       continue;
     places.push_back({k, rect});

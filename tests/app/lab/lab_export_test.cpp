@@ -300,6 +300,34 @@ TEST_F(LabExportTest, TheRunIsSavedBeforeABodyWasRenamed) {
   EXPECT_EQ(saved.plots.back().y.front().bodies, std::vector{body.name});
 }
 
+// A disc that was dropped into the run, before it had its name, and before it was there.
+TEST_F(LabExportTest, TheRunIsSavedBeforeADroppedDiscWasRenamed) {
+  window_.run_until(0.5);
+  Session& session = window_.session();
+  const std::string name = session.add_body(0.0, 3.0, 0.1);
+  ASSERT_FALSE(name.empty());
+  window_.run_until(1.0);
+  std::vector<Plot> plots = session.document().plots;
+  const std::size_t before = plots.size();
+  plots.emplace_back().y = {{.observable = "x", .bodies = {name}}};
+  session.change_plots(plots);
+  const std::vector<Body>& bodies = window_.frame()->scene->bodies;
+  const auto disc = std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
+  ASSERT_NE(disc, bodies.end());
+  const NamedEdits renamed = renaming(*disc, "another name");
+  session.edit(renamed.edits, renamed.name);
+  ASSERT_EQ(session.document().plots.back().y.front().bodies.front(), "another name");
+  const QTemporaryDir dir;
+  const auto saved_at = [&](double time, const QString& file) {
+    session.runs().go_to(time);
+    EXPECT_TRUE(test::wait_in_event_loop([&] { return session.runs().there(); }));
+    save_run_as(dir.filePath(file));
+    return read_preset(dir.filePath(file).toStdString());
+  };
+  EXPECT_EQ(saved_at(0.75, "there.json").plots.back().y.front().bodies, std::vector{name});
+  EXPECT_EQ(saved_at(0.25, "not_there.json").plots.size(), before);
+}
+
 TEST_F(LabExportTest, TheFilmDialogShowsNumberAndLengthOfFrames) {
   window_.run_until(0.1);
   Film film;

@@ -232,6 +232,28 @@ TEST_F(LabWindowTest, WhatTheSearchMarksIsPreviewed) {
   EXPECT_FALSE(preview->isVisible()) << "as by a file that is dropped";
 }
 
+// It would cover what the user has gone to.
+TEST_F(LabWindowTest, APreviewDoesNotComeOnceTheListIsLeft) {
+  ASSERT_TRUE(window_.open("head-on"));
+  auto* search = window_.findChild<ExperimentList*>()->findChild<QLineEdit*>();
+  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+  QTest::keyClick(search, Qt::Key_Down);
+  window_.scene_view().setFocus();
+  QTest::qWait(400);
+  EXPECT_FALSE(window_.findChild<ExperimentPreview*>()->isVisible());
+}
+
+TEST_F(LabWindowTest, TheBestMatchStaysMarkedWhenTheWindowIsResized) {
+  ASSERT_TRUE(window_.open("head-on"));
+  auto* search = window_.findChild<ExperimentList*>()->findChild<QLineEdit*>();
+  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+  QTest::keyClicks(search, "glancing");
+  const QString best = list()->currentItem()->data(Qt::UserRole).toString();
+  window_.resize(window_.size() + QSize(20, 10));
+  QTest::qWait(50);
+  EXPECT_EQ(list()->currentItem()->data(Qt::UserRole).toString(), best);
+}
+
 // It is left with the mouse as well.
 TEST_F(LabWindowTest, APreviewGoesWhenTheMouseIsPressedElsewhere) {
   ASSERT_TRUE(window_.open("head-on"));

@@ -341,6 +341,9 @@ TEST_F(JoiningTest, TakingApartGivesNewNamesAndTakesJointsAlong) {
 
 TEST_F(JoiningTest, SeveralAreTakenApartAtOnce) {
   scene_ = after(joining(scene_, std::vector<std::string>{"A", "B"}));
+  const Regrouping one = taking_apart(scene_, std::vector<std::string>{"A", "D"});
+  EXPECT_EQ(one.name, "Take A apart into 2 bodies");
+  EXPECT_EQ(one.bodies, (std::vector<std::string>{"D", "A-1", "A-2"})) << "selected then";
   scene_ = after(joining(scene_, std::vector<std::string>{"C", "D"}));
   const Regrouping made = taking_apart(scene_, std::vector<std::string>{"A", "C"});
   EXPECT_EQ(made.name, "Take A and C apart into 4 bodies");

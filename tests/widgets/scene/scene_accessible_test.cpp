@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -109,6 +110,24 @@ TEST_F(SceneAccessibleTest, HandlesHaveNamesAndValues) {
   view_.select({});
   EXPECT_EQ(list()->childCount(), before);
   EXPECT_FALSE(radius->isValid());
+  EXPECT_EQ(list()->indexOfChild(radius), -1);
+}
+
+TEST_F(SceneAccessibleTest, HandlesOfOneBodyAreToldApart) {
+  const std::vector<Shape> shapes = {Box{0.4, 0.3}, Polygon{{{0, 0}, {0.5, 0}, {0.2, 0.4}}}};
+  for (const Shape& shape : shapes) {
+    Body& body = preset_.scene.bodies[1];
+    body.shape = shape;
+    const auto frame = frame_of(Simulation(setup_of(preset_)));
+    frame->scene = std::make_shared<const Scene>(preset_.scene);
+    view_.set_frame(frame);
+    view_.select({body.name});
+    std::set<QString> names;
+    const auto told = view_.told_handles();
+    for (const auto& handle : told) names.insert(handle.name);
+    EXPECT_GT(told.size(), 5U);
+    EXPECT_EQ(names.size(), told.size());
+  }
 }
 
 TEST_F(SceneAccessibleTest, ASelectionAndWhatBecomesOfItAreSaid) {

@@ -315,6 +315,13 @@ TEST_F(SceneToolsTest, KeysSelectSeveral) {
   view_.select({"B"});
   QTest::keyClick(&view_, Qt::Key_Backtab, Qt::ShiftModifier);
   EXPECT_EQ(selected_, Names{"A"}) << "another selection was made since";
+  // What stays selected is deleted.
+  QTest::keyClick(&view_, Qt::Key_Space, Qt::ControlModifier);
+  QTest::keyClick(&view_, Qt::Key_Delete);
+  apply_edits(scene_, told_.back().edits);
+  show(true);
+  QTest::keyClick(&view_, Qt::Key_Tab);
+  EXPECT_EQ(selected_, Names{"floor"});
 }
 
 TEST_F(SceneToolsTest, TheDiscToolAsksForADiscOnce) {

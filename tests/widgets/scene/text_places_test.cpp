@@ -1,6 +1,7 @@
 #include "widgets/scene/text_places.h"
 
 #include "tests/widgets/scene/scene_tools_fixture.h"
+#include "widgets/scene/scale_row.h"
 
 // Where names stand beside handles and the signs of overlaps.
 namespace carom {
@@ -35,6 +36,23 @@ TEST_F(TextPlacesTest, NamesStandClearOfTheSignOfAnOverlap) {
   at_name.rects.push_back(place_of_name("B", {}));
   EXPECT_EQ(at_name.covered_by(place_of_name("B", at_name)), 0);
   EXPECT_EQ(obstacles.covered_by(place_of_name("A", obstacles)), 0);
+}
+
+// Above a body where the scale is below it, and where the view ends.
+TEST_F(TextPlacesTest, NamesStandClearOfTheScaleAndTheEdge) {
+  const Camera& camera = view_.camera();
+  const std::vector<ScaleMark> row = scale_row(view_.drawing(), camera, view_.font());
+  ASSERT_FALSE(row.empty());
+  const QPointF scale = row.front().rect.center();
+  const QPointF edge(0.7 * camera.viewport.width(), camera.viewport.height());
+  for (const QPointF& at : {scale, edge}) {
+    const double radius = half_extent(scene_.bodies[1].shape, 0.0).y();
+    scene_.bodies[1].position = camera.to_world(at) + Vec2(0.0, radius + 12.0 / camera.scale);
+    show(true);
+    const QRectF name = place_of_name("A", {});
+    EXPECT_LT(name.bottom(), camera.to_screen(scene_.bodies[1].position).y()) << at.y();
+    for (const ScaleMark& mark : row) EXPECT_FALSE(mark.rect.intersects(name));
+  }
 }
 
 TEST_F(TextPlacesTest, TheNearestClearPlaceIsTaken) {
