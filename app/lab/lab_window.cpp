@@ -158,6 +158,7 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
   plots_->set_first_theories({});
   plots_->set_plots(preset.plots, all_bodies(preset));
   session_.open(preset, plots_->chosen(), plots_->curves(), name, file);
+  view_->await_scene();
   constexpr int kSoon = 200;  // ms: a scene that is ready by then shows no notice
   QTimer::singleShot(kSoon, this, &LabWindow::show_preparing);
   view_->set_view(preset.view);

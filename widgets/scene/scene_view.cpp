@@ -104,6 +104,7 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame, OtherRuns others) 
   others_ = std::move(others);
   const bool new_run = !frame_ || frame->run != frame_->run;
   frame_ = std::move(frame);
+  awaits_ = false;
   if (new_run || frame_->impacts_of_late) impacts_.clear();
   if (frame_->back_to)
     std::erase_if(impacts_, [&](const ImpactRecord& impact) { return impact.time > *frame_->back_to; });
@@ -138,6 +139,11 @@ void SceneView::clear() {
   tools_->frame_changed();
   refresh();
   tip_.follow(sight());
+}
+
+void SceneView::await_scene() {
+  awaits_ = true;
+  tools_->frame_changed();
 }
 
 void SceneView::set_options(const DrawingOptions& options) {
@@ -307,7 +313,7 @@ void SceneView::set_aim(std::optional<Aim> aim) {
 
 SceneSight SceneView::sight() const {
   const ArrowScale scale = arrows();
-  return {.frame = frame_,
+  return {.frame = awaits_ ? nullptr : frame_,
           .camera = picture_.camera,
           .arrow_seconds = scale.seconds,
           .metres_per_newton = scale.metres_per_newton,

@@ -42,6 +42,8 @@ class SceneView : public QWidget {
   void set_picked(std::optional<double> impact);
   // Shows nothing until the next frame.
   void clear();
+  // What is shown is of a scene that is gone: until the next frame the tools have none.
+  void await_scene();
   void set_options(const DrawingOptions& options);
   [[nodiscard]] const DrawingOptions& options() const { return options_; }
   // Starts a new scene: with its own view, or fitted to all its bodies. Resets the scales of the arrows.
@@ -230,6 +232,7 @@ class SceneView : public QWidget {
 
   Press press_ = Press::kNone;
   Qt::MouseButton button_ = Qt::NoButton;
+  bool awaits_ = false;       // see await_scene()
   bool was_pressed_ = false;  // in this scene: a double click is none if the first press was elsewhere
   QPointF press_at_;
   QPointF last_at_;

@@ -292,6 +292,24 @@ TEST_F(LabWindowTest, TheListIsSearchedByWords) {
   EXPECT_TRUE(found("elastic no-such-word").isEmpty());
 }
 
+// A run plays until another experiment is opened: its last picture stays for a moment, and bodies of it can't
+// be pulled.
+TEST_F(LabWindowTest, NothingIsTakenHoldOfUntilTheNextSceneIsShown) {
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(wait_for([this] { return window_.frame() != nullptr; }));
+  window_.session().runs().set_playing(true);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->playing; }));
+  SceneView& view = window_.scene_view();
+  const QPoint at = view.camera().to_screen(view.frame()->state.position(0)).toPoint();
+  ASSERT_TRUE(window_.open("bouncing-ball"));
+  ASSERT_EQ(window_.frame(), nullptr);
+  QTest::mousePress(&view, Qt::LeftButton, {}, at);
+  QTest::mouseMove(&view, at + QPoint(60, 40));
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, at + QPoint(60, 40));
+  EXPECT_EQ(window_.session().edits().count(), 0);
+  EXPECT_TRUE(wait_for([this] { return window_.frame() != nullptr; }));
+}
+
 TEST_F(LabWindowTest, AnotherSceneHasNoPlaceOfTheMouseYet) {
   ASSERT_TRUE(window_.open("head-on"));
   const auto place_shown = [this] {
