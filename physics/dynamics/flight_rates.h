@@ -24,7 +24,7 @@ struct BodyRates {
 struct GroupRates {
   const ForceField& field;
   JointConstraints& joints;
-  int group;
+  GroupIndex group;
   std::span<const BodyIndex> members;
   double epoch;
   void operator()(double t, const Motions& y, Motions& k) const {

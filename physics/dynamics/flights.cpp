@@ -25,7 +25,7 @@ void Flights::make_islands() {
   islands.clear();
   members.clear();
   groups.clear();
-  island_of.assign(n, -1);
+  island_of.assign(n, kNoIsland);
   std::vector<std::vector<BodyIndex>> coupled = field.coupled_groups(joints.joined());
   if (general) {
     coupled.assign(1, {});
@@ -35,7 +35,7 @@ void Flights::make_islands() {
     if (coupled[0].empty()) coupled.clear();
   }
   const auto add_island = [&](const std::vector<BodyIndex>& of) -> Island& {
-    for (const BodyIndex i : of) island_of[i] = static_cast<int>(islands.size());
+    for (const BodyIndex i : of) island_of[i] = islands.end_index();
     Island& island = islands.emplace_back();
     island.first = static_cast<int>(members.size());
     island.count = static_cast<int>(of.size());
@@ -43,7 +43,7 @@ void Flights::make_islands() {
     return island;
   };
   for (const std::vector<BodyIndex>& of : coupled) {
-    add_island(of).group = static_cast<int>(groups.size());
+    add_island(of).group = groups.end_index();
     Group& group = groups.emplace_back();
     group.from.resize(Eigen::NoChange, static_cast<Eigen::Index>(of.size()));
     group.now = group.from;
@@ -53,7 +53,8 @@ void Flights::make_islands() {
   joints.set_groups(coupled);
   for (BodyIndex i{0}; i < n; ++i) {
     const bool kinematic = model->is_kinematic(i);
-    if (island_of[i] < 0 && (kinematic || !model->infinite_mass(i))) add_island({i}).kinematic = kinematic;
+    if (island_of[i] == kNoIsland && (kinematic || !model->infinite_mass(i)))
+      add_island({i}).kinematic = kinematic;
   }
 }
 
@@ -167,14 +168,14 @@ const Motions& Flights::rates_of(const Island& island, double time, const Motion
 }
 
 Motion Flights::at(BodyIndex body, double time) {
-  const int k = island_of[body];
-  if (k < 0) return at_start.col(body);
+  const IslandIndex k = island_of[body];
+  if (k == kNoIsland) return at_start.col(body);
   const Island& island = islands[k];
   if (!island.kinematic) {
     if (time == island.start) return at_start.col(body);
     if (time == island.end) return at_end.col(body);
   }
-  if (island.group < 0) {
+  if (!island.coupled()) {
     Motion out;
     fly_one(island, time, out);
     return out;
@@ -183,11 +184,11 @@ Motion Flights::at(BodyIndex body, double time) {
 }
 
 Eigen::Vector3d Flights::acceleration(BodyIndex body) {
-  const int k = island_of[body];
-  if (k < 0 || islands[k].kinematic) return Eigen::Vector3d::Zero();
+  const IslandIndex k = island_of[body];
+  if (k == kNoIsland || islands[k].kinematic) return Eigen::Vector3d::Zero();
   const Island& island = islands[k];
   if (parabolic) return parabola_acceleration(body, island.start);
-  if (island.group < 0) {
+  if (!island.coupled()) {
     const Motion y = at_start.col(body);
     Motion rate;
     BodyRates{field, body, epoch}(island.start, y, rate);
@@ -209,7 +210,7 @@ void Flights::accelerations(const Island& island, const State& state, double tim
     y << state.q.col(i), state.v.col(i), state.quadratures.col(i);
     return y;
   };
-  if (island.group < 0) {
+  if (!island.coupled()) {
     Motion rate;
     BodyRates{field, of.front(), epoch}(time, motion(of.front()), rate);
     by.col(of.front()) = v_of(rate);
@@ -225,7 +226,7 @@ void Flights::accelerations(const Island& island, const State& state, double tim
 double Flights::error_of(const Island& island, double time) {
   const double h = time - island.start;
   evaluations += island.count;
-  if (island.group < 0) {
+  if (!island.coupled()) {
     const Motion from = at_start.col(body_of(island));
     const BodyRates f{field, body_of(island), epoch};
     Stages<Motion> stages;

@@ -32,9 +32,11 @@ struct Flights {
     double next_step = 0.0;  // s, of the adaptive integrator; 0: not known yet
     int first = 0;           // its members start here in `members`
     int count = 1;
-    int group = -1;                   // index in `groups`, of more than one member
+    GroupIndex group = kNoGroup;      // of more than one member
     std::optional<Switch> switching;  // flips at the end
     bool kinematic = false;
+
+    [[nodiscard]] bool coupled() const { return group != kNoGroup; }
   };
   // What an island of several members works with; a column a member.
   struct Group {
@@ -63,7 +65,7 @@ struct Flights {
   [[nodiscard]] Eigen::Index column_of(const Island& island, BodyIndex body) const;
   // Drops what is known of the island's flight, after its start has changed.
   void forget(const Island& island) {
-    if (island.group < 0) return;
+    if (!island.coupled()) return;
     groups[island.group].cached = -kForever;
     groups[island.group].rates_known = false;
   }
@@ -86,7 +88,7 @@ struct Flights {
   }
   // On a parabola only, which may be bent: q in m and rad at a time, and v.
   [[nodiscard]] Eigen::Vector3d parabola(BodyIndex body, double time) const {
-    const double start = island_of[body] < 0 ? time : islands[island_of[body]].start;
+    const double start = island_of[body] == kNoIsland ? time : islands[island_of[body]].start;
     const double h = time - start;
     Eigen::Vector3d q =
         at_start.col(body).head<3>() + h * (at_start.col(body).segment<3>(3) + 0.5 * h * constant.col(body));
@@ -94,7 +96,7 @@ struct Flights {
     return q;
   }
   [[nodiscard]] Eigen::Vector3d parabola_velocity(BodyIndex body, double time) const {
-    const double start = island_of[body] < 0 ? time : islands[island_of[body]].start;
+    const double start = island_of[body] == kNoIsland ? time : islands[island_of[body]].start;
     const double h = time - start;
     Eigen::Vector3d v = at_start.col(body).segment<3>(3) + h * constant.col(body);
     if (field.contact_changes()) v += h * (start - bent_from + 0.5 * h) * field.contact_rate(body);
@@ -110,7 +112,7 @@ struct Flights {
   // and under gravity alone.
   [[nodiscard]] double angular_impulse_of_gravity(BodyIndex body, double time) const {
     const double known = at_start.col(body)[6 + kGravityAngularImpulse];
-    if (island_of[body] < 0 || model->forces.gravity.isZero(0.0)) return known;
+    if (island_of[body] == kNoIsland || model->forces.gravity.isZero(0.0)) return known;
     const double h = time - islands[island_of[body]].start;
     const auto y = at_start.col(body);
     Vec2 mean = y.head<2>() + h * (0.5 * y.segment<2>(3) + (h / 6.0) * constant.col(body).head<2>());
@@ -134,13 +136,13 @@ struct Flights {
   std::shared_ptr<const Model> model;
   ForceField field;
   JointConstraints joints;
-  std::vector<Island> islands;
+  ArrayOf<IslandIndex, Island> islands;
   std::vector<BodyIndex> members;
-  std::vector<Group> groups;
-  std::vector<int> island_of;  // by body; -1: fixed
-  Motions at_start, at_end;    // by body
-  Eigen::Matrix3Xd constant;   // accelerations by body: m/s², m/s², rad/s²
-  double bent_from = 0.0;      // s: when those by contacts are as in `constant`
+  ArrayOf<GroupIndex, Group> groups;
+  std::vector<IslandIndex> island_of;  // by body; none: fixed
+  Motions at_start, at_end;            // by body
+  Eigen::Matrix3Xd constant;           // accelerations by body: m/s², m/s², rad/s²
+  double bent_from = 0.0;              // s: when those by contacts are as in `constant`
   IntegratorId integrator = IntegratorId::kRk4;
   bool adaptive = false;
   bool parabolic = false;  // every free flight is a parabola

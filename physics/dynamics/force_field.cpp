@@ -24,10 +24,10 @@ ForceField::ForceField(std::shared_ptr<const Model> model)
       terms_(&model_->forces),
       add_external_(add_external_of(*terms_)),
       has_quadratures_(!terms_->gravity_only),
-      constant_(terms_->constant),
-      phase_(terms_->applied.size(), 0) {
+      constant_(terms_->constant) {
+  phase_.assign(terms_->applied.size(), 0);
   const double time = model_->start_time;
-  terms_->springs.each_index([&](SpringIndex spring) {
+  for (const SpringIndex spring : terms_->springs.indices()) {
     const SpringTerm& s = terms_->springs[spring];
     const Motion a = motion_at_start(model_->starts, s.body);
     const Motion b = s.other >= 0 ? motion_at_start(model_->starts, s.other) : spring_end(spring, time);
@@ -39,7 +39,7 @@ ForceField::ForceField(std::shared_ptr<const Model> model)
       margin = s.acts == SpringActs::kPull ? -closing : closing;
     }
     engaged_.push_back(s.acts == SpringActs::kBoth || margin > 0.0 ? 1 : 0);
-  });
+  }
   for (const AppliedTerm& a : terms_->applied) set_phase(a.body, time);
   if (terms_->hand) hand_place_ = terms_->hand->place;
 }
@@ -90,7 +90,7 @@ void ForceField::add_external(BodyIndex body, double t, const Eigen::Vector3d& q
     }
   }
   if constexpr (kApplied) {
-    for (const int i : terms_->applied_to[body]) {
+    for (const AppliedForceIndex i : terms_->applied_to[body]) {
       const AppliedTerm& a = terms_->applied[i];
       if (phase_[i] == 0 || phase_[i] == 3) continue;
       const double share = phase_[i] == 1 ? (t - a.start) / a.rise : 1.0;
@@ -171,7 +171,7 @@ Eigen::Vector3d ForceField::constant_acceleration(BodyIndex body) const {
   if (!(model_->mass.inverse_mass[body] > 0.0)) return a;
   a.head<2>() = terms_->gravity;
   if (terms_->applied.empty()) return a;
-  for (const int i : terms_->applied_to[body]) {
+  for (const AppliedForceIndex i : terms_->applied_to[body]) {
     a.head<2>() += model_->mass.inverse_mass[body] * terms_->applied[i].force;
     a[2] += model_->mass.inverse_inertia[body] * terms_->applied[i].torque;
   }
@@ -240,7 +240,7 @@ double ForceField::potential_energy(const Eigen::Matrix3Xd& q) const {
     if (model_->mass.inverse_mass[i] > 0.0)
       energy -= model_->mass.mass[i] * terms_->gravity.dot(q.col(i).head<2>());
   }
-  terms_->springs.each_index([&](SpringIndex s) { energy += coupling_energy(s, q); });
+  for (const SpringIndex s : terms_->springs.indices()) energy += coupling_energy(s, q);
   if (!terms_->attraction) return energy;
   for (BodyIndex a{0}; a < n; ++a) {
     for (BodyIndex b{a + 1}; b < n; ++b) {
@@ -278,7 +278,7 @@ double ForceField::next_break(BodyIndex body, double t) const {
   double next = kInfinity;
   if (!has_breaks()) return next;
   const double now = t + 8.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
-  for (const int i : terms_->applied_to[body]) {
+  for (const AppliedForceIndex i : terms_->applied_to[body]) {
     for (const double moment : breaks_of(terms_->applied[i])) {
       if (moment > now) next = std::min(next, moment);
     }
@@ -289,7 +289,7 @@ double ForceField::next_break(BodyIndex body, double t) const {
 void ForceField::set_phase(BodyIndex body, double t) {
   if (!has_breaks()) return;
   const double now = t + 8.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
-  for (const int i : terms_->applied_to[body]) {
+  for (const AppliedForceIndex i : terms_->applied_to[body]) {
     const auto moments = breaks_of(terms_->applied[i]);
     phase_[i] = static_cast<int>(
         std::count_if(moments.begin(), moments.end(), [now](double moment) { return now >= moment; }));

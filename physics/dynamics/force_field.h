@@ -200,8 +200,8 @@ class ForceField {
   AddExternal add_external_ = nullptr;
   bool has_quadratures_ = false;
   bool constant_ = true;
-  std::vector<std::uint8_t> engaged_;  // by spring
-  std::vector<int> phase_;             // by applied force: 0 before, 1 rising, 2 full, 3 after
+  std::vector<std::uint8_t> engaged_;      // by spring
+  ArrayOf<AppliedForceIndex, int> phase_;  // 0 before, 1 rising, 2 full, 3 after
   Vec2 hand_place_ = Vec2::Zero();
   bool in_contact_ = false;
   bool contact_changes_ = false;

@@ -60,7 +60,7 @@ void JointConstraints::set_groups(const std::vector<std::vector<BodyIndex>>& gro
   groups_.clear();
   first_row_.assign(terms_.all.size(), -1);
   std::vector<std::vector<JointIndex>> joints_at(model_->mass.mass.size());  // by their first body
-  terms_.all.each_index([&](JointIndex l) { joints_at[terms_.all[l].body].push_back(l); });
+  for (const JointIndex l : terms_.all.indices()) joints_at[terms_.all[l].body].push_back(l);
   for (const std::vector<BodyIndex>& members : groups) {
     Group& g = groups_.emplace_back();
     const auto column_of = [&](BodyIndex body) {
@@ -281,7 +281,7 @@ void JointConstraints::add_quadratures(const Group& g, const Motions& y, Motions
   }
 }
 
-void JointConstraints::add_forces(int group, double t, const Motions& y, Motions& k) {
+void JointConstraints::add_forces(GroupIndex group, double t, const Motions& y, Motions& k) {
   Group& g = groups_[group];
   if (g.rows.empty()) return;
   fill_rows(g, t, y);
@@ -293,7 +293,7 @@ void JointConstraints::add_forces(int group, double t, const Motions& y, Motions
   add_quadratures(g, y, k);
 }
 
-std::int64_t JointConstraints::evaluation_work(int group) const {
+std::int64_t JointConstraints::evaluation_work(GroupIndex group) const {
   const Group& g = groups_[group];
   return kRowWork * static_cast<std::int64_t>(g.rows.size()) + g.matrix.size() / 2;
 }
@@ -313,7 +313,7 @@ void JointConstraints::relax(Group& g, double t, Motions& y) const {
   }
 }
 
-bool JointConstraints::restore(int group, double t, Motions& y) {
+bool JointConstraints::restore(GroupIndex group, double t, Motions& y) {
   Group& g = groups_[group];
   if (g.rows.empty()) return true;
   const int rows = static_cast<int>(g.rows.size());
@@ -344,7 +344,7 @@ bool JointConstraints::restore(int group, double t, Motions& y) {
   return worst < kMissed;
 }
 
-bool JointConstraints::share(int group, double t, const Eigen::Matrix3Xd& change, Motions& y) {
+bool JointConstraints::share(GroupIndex group, double t, const Eigen::Matrix3Xd& change, Motions& y) {
   Group& g = groups_[group];
   const int rows = static_cast<int>(g.rows.size());
   fill_rows(g, t, y);
@@ -370,7 +370,7 @@ bool JointConstraints::share(int group, double t, const Eigen::Matrix3Xd& change
   return true;
 }
 
-double JointConstraints::apply_taut_impulse(int group, double t, Motions& y) {
+double JointConstraints::apply_taut_impulse(GroupIndex group, double t, Motions& y) {
   // Each round but the last makes one string slack.
   while (!share(group, t, groups_[group].rest, y)) {
   }
@@ -382,7 +382,7 @@ double JointConstraints::apply_taut_impulse(int group, double t, Motions& y) {
   return taken;
 }
 
-void JointConstraints::project(int group, double t, const Motions& y, Eigen::Matrix3Xd& change) {
+void JointConstraints::project(GroupIndex group, double t, const Motions& y, Eigen::Matrix3Xd& change) {
   Group& g = groups_[group];
   fill_rows(g, t, y);
   factor(g);
@@ -391,7 +391,7 @@ void JointConstraints::project(int group, double t, const Motions& y, Eigen::Mat
   apply(g, change);
 }
 
-Vec2 JointConstraints::impulse(int group, JointIndex joint, BodyIndex body) const {
+Vec2 JointConstraints::impulse(GroupIndex group, JointIndex joint, BodyIndex body) const {
   const Group& g = groups_[group];
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < g.rows.size(); ++i) {
@@ -401,11 +401,11 @@ Vec2 JointConstraints::impulse(int group, JointIndex joint, BodyIndex body) cons
   return terms_.all[joint].body == body ? sum : Vec2(-sum);
 }
 
-double JointConstraints::tension(int group, JointIndex joint) const {
+double JointConstraints::tension(GroupIndex group, JointIndex joint) const {
   return -groups_[group].force[first_row_[joint]];
 }
 
-double JointConstraints::overstretch(int group, JointIndex joint, double t, const Motions& y) const {
+double JointConstraints::overstretch(GroupIndex group, JointIndex joint, double t, const Motions& y) const {
   const Row& row = groups_[group].rows[first_row_[joint]];
   const Ends e = ends_of(terms_.all[joint], t, y, row.a, row.b);
   return e.d.norm() - terms_.all[joint].length - kAtLength * (e.size + terms_.all[joint].length);

@@ -53,29 +53,31 @@ class JointConstraints {
   // Sets the groups of bodies that are advanced together, each in rising order. `group` below is an index
   // into them.
   void set_groups(const std::vector<std::vector<BodyIndex>>& groups);
-  [[nodiscard]] bool has_joints(int group) const { return !groups_[group].rows.empty(); }
+  [[nodiscard]] bool has_joints(GroupIndex group) const { return !groups_[group].rows.empty(); }
 
   // Adds the joint forces to the rates k of a group, which already have all other forces; t in s, absolute.
-  void add_forces(int group, double t, const Motions& y, Motions& k);
+  void add_forces(GroupIndex group, double t, const Motions& y, Motions& k);
   // Projects a group's motions onto its joints. False if positions keep an error beyond rounding: the bodies
   // are too far from any place that satisfies the joints.
-  bool restore(int group, double t, Motions& y);
+  bool restore(GroupIndex group, double t, Motions& y);
   // Changes velocities at once by `change` (one column v per member) and by the joints' impulses. False if a
   // string would have to push: that string is slack now, and nothing else has changed.
-  [[nodiscard]] bool share(int group, double t, const Eigen::Matrix3Xd& change, Motions& y);
+  [[nodiscard]] bool share(GroupIndex group, double t, const Eigen::Matrix3Xd& change, Motions& y);
   // The plastic impact that stops taut strings from lengthening and makes new joints hold. Returns the energy
   // lost, in J. Strings that would have to push become slack.
-  double apply_taut_impulse(int group, double t, Motions& y);
+  double apply_taut_impulse(GroupIndex group, double t, Motions& y);
   // Projects `change` onto the velocity changes that the joints allow.
-  void project(int group, double t, const Motions& y, Eigen::Matrix3Xd& change);
+  void project(GroupIndex group, double t, const Motions& y, Eigen::Matrix3Xd& change);
 
   // The cost of one add_forces(), and of all calls of restore() so far, in units of
   // Trajectories::flight_work().
-  [[nodiscard]] std::int64_t evaluation_work(int group) const;
+  [[nodiscard]] std::int64_t evaluation_work(GroupIndex group) const;
   [[nodiscard]] std::int64_t restoring_work() const { return restoring_work_; }
 
   // The strings of a group.
-  [[nodiscard]] const std::vector<JointIndex>& strings(int group) const { return groups_[group].strings; }
+  [[nodiscard]] const std::vector<JointIndex>& strings(GroupIndex group) const {
+    return groups_[group].strings;
+  }
   [[nodiscard]] double length(JointIndex joint) const {
     return terms_.all[joint].length;
   }  // m, of a rod or a string
@@ -89,11 +91,11 @@ class JointConstraints {
   }
   // N s, the impulse of a joint on `body`, at one of its ends, in the group's last share() or
   // apply_taut_impulse().
-  [[nodiscard]] Vec2 impulse(int group, JointIndex joint, BodyIndex body) const;
+  [[nodiscard]] Vec2 impulse(GroupIndex group, JointIndex joint, BodyIndex body) const;
   // N, the tension of a taut string in the last add_forces().
-  [[nodiscard]] double tension(int group, JointIndex joint) const;
+  [[nodiscard]] double tension(GroupIndex group, JointIndex joint) const;
   // m, how much longer a string is than its length; for one at its length it may be below zero by rounding.
-  [[nodiscard]] double overstretch(int group, JointIndex joint, double t, const Motions& y) const;
+  [[nodiscard]] double overstretch(GroupIndex group, JointIndex joint, double t, const Motions& y) const;
 
  private:
   friend struct KeptMembers;  // what a run keeps from step to step
@@ -147,7 +149,7 @@ class JointConstraints {
   WeldedBodies welded_;
   ArrayOf<JointIndex, int> first_row_;  // in its group
   std::vector<std::uint8_t> taut_;      // by joint
-  std::vector<Group> groups_;
+  ArrayOf<GroupIndex, Group> groups_;
   std::int64_t restoring_work_ = 0;
 };
 

@@ -72,12 +72,12 @@ SwitchSearch::SwitchSearch(const Model& model)
     reach.swing = std::max(reach.swing, model.drive(ends.drive).angular_frequency);
     reach.passing = std::max(reach.passing, model.drive(ends.drive).velocity.norm());
   };
-  model.forces.springs.each_index([&](SpringIndex spring) {
+  for (const SpringIndex spring : model.forces.springs.indices()) {
     if (model.forces.springs[spring].acts != SpringActs::kBoth) note(ends_of(model, spring));
-  });
-  model.joint_terms.all.each_index([&](JointIndex joint) {
+  }
+  for (const JointIndex joint : model.joint_terms.all.indices()) {
     if (model.joint_terms.all[joint].kind == JointKind::kString) note(ends_of(model, joint));
-  });
+  }
 }
 
 SwitchSearch::Ends SwitchSearch::ends_of(const Model& model, const Switch& a_switch) {
@@ -151,10 +151,10 @@ void SwitchSearch::list(const Flights& f, const Island& island) {
   for (const BodyIndex i : f.members_of(island)) {
     for (const SpringIndex spring : f.field.switching_springs(i)) {
       // A spring between two members belongs to both.
-      if (f.field.spring_body(spring) == i || island.group < 0) listed_.emplace_back(spring);
+      if (f.field.spring_body(spring) == i || !island.coupled()) listed_.emplace_back(spring);
     }
   }
-  if (island.group < 0) return;
+  if (!island.coupled()) return;
   for (const JointIndex joint : f.joints.strings(island.group)) listed_.emplace_back(joint);
 }
 
@@ -181,7 +181,7 @@ void SwitchSearch::sample(Flights& f, const Island& island, double time, std::ve
 // within rounding. One that is out of that state over the whole trajectory flips at once, if it is then in its
 // state: it was due together with another switch of the island.
 void SwitchSearch::end_at_first(Flights& f, Island& island) {
-  const bool strings = island.group >= 0 && !f.joints.strings(island.group).empty();
+  const bool strings = island.coupled() && !f.joints.strings(island.group).empty();
   if (!f.field.has_switching_springs() && !strings) return;
   if (!may_follow(f, island)) return;
   double first = island.end;

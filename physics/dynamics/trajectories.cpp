@@ -83,7 +83,7 @@ void Trajectories::begin(double epoch) {
 }
 
 void Trajectories::look_at(double time, State& into) {
-  const std::vector<Flights::Group> groups = flights_.groups;
+  const ArrayOf<GroupIndex, Flights::Group> groups = flights_.groups;
   const std::int64_t evaluations = flights_.evaluations;
   const std::int64_t work = flights_.flight_work;
   for (BodyIndex i{0}; i < into.size(); ++i) into.set_motion(i, flights_.at(i, std::max(time, start(i))));
@@ -131,10 +131,10 @@ void Trajectories::shift_epoch(double by) {
   }
 }
 
-void Trajectories::advance_to(int k, double time) {
+void Trajectories::advance_to(IslandIndex k, double time) {
   Flights& f = flights_;
   Island& island = f.islands[k];
-  if (island.group < 0) {
+  if (!island.coupled()) {
     f.at_start.col(f.body_of(island)) = f.at(f.body_of(island), time);
   } else if (time != island.start) {
     for (const BodyIndex i : f.members_of(island)) f.at_end.col(i) = f.at(i, time);
@@ -149,7 +149,7 @@ void Trajectories::advance_to(int k, double time) {
   }
 }
 
-double Trajectories::advance_to_end(int k) {
+double Trajectories::advance_to_end(IslandIndex k) {
   Flights& f = flights_;
   const Island& island = f.islands[k];
   const std::optional<Switch> ending = island.switching;
@@ -160,30 +160,30 @@ double Trajectories::advance_to_end(int k) {
 void Trajectories::set_velocity(BodyIndex body, const Vec2& velocity, double spin) {
   Flights& f = flights_;
   f.at_start.col(body).segment<3>(3) << velocity, spin;
-  if (f.island_of[body] >= 0) f.forget(f.islands[f.island_of[body]]);
+  if (f.island_of[body] != kNoIsland) f.forget(f.islands[f.island_of[body]]);
 }
 
 void Trajectories::set_contact_acceleration(BodyIndex body, const Eigen::Vector3d& by) {
   Flights& f = flights_;
   f.field.set_contact_acceleration(body, by);
   f.constant.col(body) = f.field.constant_acceleration(body) + by;
-  if (f.island_of[body] >= 0) f.forget(f.islands[f.island_of[body]]);
+  if (f.island_of[body] != kNoIsland) f.forget(f.islands[f.island_of[body]]);
 }
 
 void Trajectories::set_contact_rate(BodyIndex body, const Eigen::Vector3d& rate) {
   Flights& f = flights_;
   f.bent_from = 0.0;
   f.field.set_contact_rate(body, rate, f.epoch);
-  if (f.island_of[body] >= 0) f.forget(f.islands[f.island_of[body]]);
+  if (f.island_of[body] != kNoIsland) f.forget(f.islands[f.island_of[body]]);
 }
 
 void Trajectories::set_pose(BodyIndex body, const Eigen::Vector3d& q) {
   Flights& f = flights_;
   f.at_start.col(body).head<3>() = q;
-  if (f.island_of[body] >= 0) f.forget(f.islands[f.island_of[body]]);
+  if (f.island_of[body] != kNoIsland) f.forget(f.islands[f.island_of[body]]);
 }
 
-void Trajectories::rebuild(int k, double horizon, double reach, double turn) {
+void Trajectories::rebuild(IslandIndex k, double horizon, double reach, double turn) {
   Flights& f = flights_;
   Island& island = f.islands[k];
   island.switching.reset();
@@ -200,7 +200,7 @@ void Trajectories::rebuild(int k, double horizon, double reach, double turn) {
       island.end = std::min(island.end, f.field.next_break(i, f.epoch + island.start) - f.epoch);
   }
   if (f.adaptive && !island.kinematic) limit_to_adaptive_step(island);
-  if (island.group < 0) {
+  if (!island.coupled()) {
     Motion out;
     f.fly_one(island, island.end, out);
     f.at_end.col(f.body_of(island)) = out;

@@ -37,10 +37,10 @@ class Trajectories {
   void set_method(const Method& method) { flights_.set_method(method); }
   [[nodiscard]] const ForceField& field() const { return flights_.field; }
   void set_hand_place(const Vec2& place) { flights_.field.set_hand_place(place); }  // m
-  [[nodiscard]] int islands() const { return static_cast<int>(flights_.islands.size()); }
-  [[nodiscard]] int island_of(BodyIndex body) const { return flights_.island_of[body]; }  // -1: fixed
+  [[nodiscard]] Indices<IslandIndex> islands() const { return flights_.islands.indices(); }
+  [[nodiscard]] IslandIndex island_of(BodyIndex body) const { return flights_.island_of[body]; }  // none: fixed
   // In rising order.
-  [[nodiscard]] std::span<const BodyIndex> members(int island) const {
+  [[nodiscard]] std::span<const BodyIndex> members(IslandIndex island) const {
     return flights_.members_of(flights_.islands[island]);
   }
 
@@ -50,12 +50,12 @@ class Trajectories {
   // Moves the epoch on; no motion changes.
   void shift_epoch(double by);
   [[nodiscard]] double start(BodyIndex body) const {
-    const int k = flights_.island_of[body];
-    return k < 0 ? -Flights::kForever : flights_.islands[k].start;
+    const IslandIndex k = flights_.island_of[body];
+    return k == kNoIsland ? -Flights::kForever : flights_.islands[k].start;
   }
   [[nodiscard]] double end(BodyIndex body) const {
-    const int k = flights_.island_of[body];
-    return k < 0 ? Flights::kForever : flights_.islands[k].end;
+    const IslandIndex k = flights_.island_of[body];
+    return k == kNoIsland ? Flights::kForever : flights_.islands[k].end;
   }
 
   // The motion at the start and at the end of the body's trajectory.
@@ -88,17 +88,17 @@ class Trajectories {
   [[nodiscard]] Eigen::Vector3d acceleration(BodyIndex body) { return flights_.acceleration(body); }
   // Likewise of an island's bodies that forces move, if they were in this state at `time`, by the springs,
   // strings and contacts that act now; into their columns of `by`. No motion changes.
-  void accelerations(int island, const State& state, double time, Eigen::Matrix3Xd& by) {
+  void accelerations(IslandIndex island, const State& state, double time, Eigen::Matrix3Xd& by) {
     flights_.accelerations(flights_.islands[island], state, time, by);
   }
   // Sets the bounds for a search on an island's trajectory: curvature_bound(body) in m/s² bounds the
   // acceleration of the centre, turn_bound(body) in rad/s² bounds ω² + |α|.
-  void bound_curvature(int island);
+  void bound_curvature(IslandIndex island);
   [[nodiscard]] double curvature_bound(BodyIndex body) const { return curvature_bound_[body]; }
   [[nodiscard]] double turn_bound(BodyIndex body) const { return turn_bound_[body]; }
 
   // Moves an island's start to a time of its trajectory; call rebuild() before the trajectory is used again.
-  void advance_to(int island, double time);
+  void advance_to(IslandIndex island, double time);
   // Set a body's velocity or position at the island's start, after an impact or a push.
   void set_velocity(BodyIndex body, const Vec2& velocity, double spin);
   void set_pose(BodyIndex body, const Eigen::Vector3d& q);
@@ -121,12 +121,12 @@ class Trajectories {
   // bounds the path, and `turn_bound` in rad the rotation of bodies with corners. Throws LostMotion if the
   // motion at its end is not finite or too large, or if the adaptive integrator has spent its budget.
   static constexpr double kUsualTurn = 6.0;  // rad
-  void rebuild(int island, double horizon, double reach, double turn_bound = kUsualTurn);
+  void rebuild(IslandIndex island, double horizon, double reach, double turn_bound = kUsualTurn);
   // True if joints hold the body.
   [[nodiscard]] bool is_jointed(BodyIndex body) const {
-    const int k = flights_.island_of[body];
-    const int group = k < 0 ? -1 : flights_.islands[k].group;
-    return group >= 0 && flights_.joints.has_joints(group);
+    const IslandIndex k = flights_.island_of[body];
+    const GroupIndex group = k == kNoIsland ? kNoGroup : flights_.islands[k].group;
+    return group != kNoGroup && flights_.joints.has_joints(group);
   }
   [[nodiscard]] bool is_jointed(std::span<const BodyIndex> bodies) const {
     return std::any_of(bodies.begin(), bodies.end(), [this](BodyIndex i) { return is_jointed(i); });
@@ -154,13 +154,13 @@ class Trajectories {
   // The bodies that are one, by a joint of the model or a weld since.
   [[nodiscard]] const WeldedBodies& welded() const { return flights_.joints.welded(); }
   // Projects a jointed island's positions and velocities onto its joints, after positions were set.
-  void restore_joints(int island);
+  void restore_joints(IslandIndex island);
   // Moves an island's start to its trajectory's end, where a spring may switch. Returns the energy in J that a
   // spring released.
-  double advance_to_end(int island);
+  double advance_to_end(IslandIndex island);
   // After an impact changed velocities: flips springs whose margin has changed its sign. Returns the energy in
   // J that they released.
-  double recheck_switches(int island) { return switches_.recheck(flights_, flights_.islands[island]); }
+  double recheck_switches(IslandIndex island) { return switches_.recheck(flights_, flights_.islands[island]); }
 
   [[nodiscard]] std::int64_t evaluations() const { return flights_.evaluations; }
   [[nodiscard]] std::int64_t rejected_steps() const { return rejected_steps_; }

@@ -38,7 +38,7 @@ bool outruns_joints(Flights& f, const Flights::Island& island) {
 
 }  // namespace
 
-void Trajectories::bound_curvature(int k) {
+void Trajectories::bound_curvature(IslandIndex k) {
   Flights& f = flights_;
   const Flights::Island& island = f.islands[k];
   if (island.kinematic) {
@@ -63,7 +63,7 @@ void Trajectories::bound_curvature(int k) {
   f.evaluations += 2 * static_cast<std::int64_t>(island.count);
   // Twice the largest of the accelerations at both ends: sub-steps of semi-implicit Euler have a curvature of
   // 2a, and within a step that resolves the motion the acceleration varies by less than that.
-  if (island.group < 0) {
+  if (!island.coupled()) {
     const BodyIndex body = f.body_of(island);
     const BodyRates rates{f.field, body, f.epoch};
     Motion y = f.at_start.col(body);

@@ -8,10 +8,10 @@
 namespace carom {
 namespace {
 
-// The group of a body's island, or -1 if it has none.
-int group_of(const Flights& f, BodyIndex body) {
-  const int k = f.island_of[body];
-  return k < 0 ? -1 : f.islands[k].group;
+// The group of a body's island, if it has one.
+GroupIndex group_of(const Flights& f, BodyIndex body) {
+  const IslandIndex k = f.island_of[body];
+  return k == kNoIsland ? kNoGroup : f.islands[k].group;
 }
 
 // Calls visit(island) once for each group among these bodies, with their changes of velocity set in it, without
@@ -20,9 +20,9 @@ template <class Visit>
 bool each_changed(Flights& f, std::span<const BodyIndex> bodies, const Eigen::Ref<const Eigen::Matrix3Xd>& by,
                   const Visit& visit) {
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const int group = group_of(f, bodies[k]);
+    const GroupIndex group = group_of(f, bodies[k]);
     const auto same = [&](BodyIndex other) { return f.island_of[other] == f.island_of[bodies[k]]; };
-    if (group < 0 || std::any_of(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(k), same))
+    if (group == kNoGroup || std::any_of(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(k), same))
       continue;
     const Flights::Island& island = f.islands[f.island_of[bodies[k]]];
     f.gather(island);
@@ -38,10 +38,10 @@ bool each_changed(Flights& f, std::span<const BodyIndex> bodies, const Eigen::Re
 
 }  // namespace
 
-void Trajectories::restore_joints(int k) {
+void Trajectories::restore_joints(IslandIndex k) {
   Flights& f = flights_;
   const Flights::Island& island = f.islands[k];
-  if (island.group < 0 || !f.joints.has_joints(island.group)) return;
+  if (!island.coupled() || !f.joints.has_joints(island.group)) return;
   f.gather(island);
   f.joints.restore(island.group, f.epoch + island.start, f.groups[island.group].from);
   f.spread(island);
@@ -71,10 +71,10 @@ bool Trajectories::apply_changes(std::span<const BodyIndex> bodies,
   });
   if (!pulls) return false;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const int i = f.island_of[bodies[k]];
-    if (i < 0) continue;
+    const IslandIndex i = f.island_of[bodies[k]];
+    if (i == kNoIsland) continue;
     const Flights::Island& island = f.islands[i];
-    if (island.group >= 0) {
+    if (island.coupled()) {
       f.spread(island);
     } else if (!island.kinematic) {
       f.at_start.col(bodies[k]).segment<3>(3) += by.col(static_cast<Eigen::Index>(k));

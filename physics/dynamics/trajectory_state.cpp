@@ -62,7 +62,7 @@ struct KeptMembers {
     make_room(kept.end, islands.size());
     make_room(kept.next_step, islands.size());
     make_room(kept.switching, islands.size());
-    for (std::size_t k = 0; k < islands.size(); ++k) {
+    for (const IslandIndex k : islands.indices()) {
       auto& [start, end, next_step, first, count, group, a_switch, kinematic] = islands[k];
       each(start, kept.start[k]);
       each(end, kept.end[k]);
@@ -79,14 +79,14 @@ struct KeptMembers {
   static void of_flights_ahead(Self& flights, Ahead& ahead, const Each& each) {
     each(flights.at_end, ahead.at_end);
     make_room(ahead.cached, flights.islands.size());
-    for (std::size_t k = 0; k < flights.islands.size(); ++k) {
+    for (const IslandIndex k : flights.islands.indices()) {
       const Flights::Island& island = flights.islands[k];
-      if (island.group < 0) {
+      if (!island.coupled()) {
         if constexpr (std::is_const_v<Self>) ahead.cached[k] = -Flights::kForever;
         continue;
       }
       auto& [cached, from, now, change, missed, rates_known, start_rates, stages] =
-          flights.groups[static_cast<std::size_t>(island.group)];
+          flights.groups[island.group];
       if constexpr (std::is_const_v<Self>) {
         each(cached, ahead.cached[k]);
       } else if (ahead.cached[k] != -Flights::kForever) {

@@ -17,15 +17,15 @@ struct TrajectoryState {
   double epoch = 0.0;  // s, absolute
   std::vector<Weld> welds;
   // By island.
-  std::vector<double> start, end;
-  std::vector<double> next_step;                 // s, of the adaptive integrator; 0: not known yet
-  std::vector<std::optional<Switch>> switching;  // what flips at the end
-  Motions at_start;                              // by body
-  std::vector<std::uint8_t> engaged;             // by spring: it acts
-  std::vector<std::uint8_t> taut;                // by joint
-  std::vector<double> released_at;               // s, absolute, by joint
-  std::vector<int> phase;                        // by applied force
-  Vec2 hand_place = Vec2::Zero();                // m
+  ArrayOf<IslandIndex, double> start, end;
+  ArrayOf<IslandIndex, double> next_step;                 // s, of the adaptive integrator; 0: not known yet
+  ArrayOf<IslandIndex, std::optional<Switch>> switching;  // what flips at the end
+  Motions at_start;                                       // by body
+  std::vector<std::uint8_t> engaged;                      // by spring: it acts
+  std::vector<std::uint8_t> taut;                         // by joint
+  std::vector<double> released_at;                        // s, absolute, by joint
+  ArrayOf<AppliedForceIndex, int> phase;
+  Vec2 hand_place = Vec2::Zero();  // m
   // By body, in m/s², m/s², rad/s²: all constant accelerations, and the part of contacts; empty if contacts
   // never acted.
   Eigen::Matrix3Xd constant, contact;
@@ -42,7 +42,7 @@ struct TrajectoriesAhead {
   Motions at_end;                       // by body
   std::vector<double> curvature_bound;  // m/s², by body
   std::vector<double> turn_bound;       // rad/s², by body
-  std::vector<double> cached;           // by island: the time of a coupled island's last evaluation
+  ArrayOf<IslandIndex, double> cached;  // the time of a coupled island's last evaluation
 };
 
 }  // namespace carom

@@ -40,7 +40,7 @@ ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, co
   }
   for (const AppliedForce& f : forces.applied) {
     const BodyIndex body = index.at(f.body);
-    t.applied_to[body].push_back(static_cast<int>(t.applied.size()));
+    t.applied_to[body].push_back(t.applied.end_index());
     t.applied.push_back({body, f.point, f.force, f.torque, f.start, f.rise, f.end});
     const bool turns_along = !f.point.isZero(0.0) && !f.force.isZero(0.0);
     t.constant = t.constant && f.start == 0.0 && f.rise == 0.0 && !f.end && !turns_along;

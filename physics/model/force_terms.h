@@ -54,8 +54,8 @@ struct ForceTerms : CommonForces {
   std::vector<std::vector<SpringIndex>> outside;  // springs to points and to fixed or kinematic bodies, by body
   std::vector<std::vector<SpringIndex>> between;  // springs between movable bodies, by both their bodies
   std::vector<std::vector<SpringIndex>> switching;  // one-sided springs, by both their bodies
-  std::vector<AppliedTerm> applied;
-  std::vector<std::vector<int>> applied_to;  // by body
+  ArrayOf<AppliedForceIndex, AppliedTerm> applied;
+  std::vector<std::vector<AppliedForceIndex>> applied_to;  // by body
   std::optional<HandTerm> hand;
 };
 

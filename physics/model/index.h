@@ -31,8 +31,13 @@ using BodyPair = std::pair<BodyIndex, BodyIndex>;
 enum class ShapeIndex : int {};  // a convex shape of the collision geometry: all of a body, or a part of it
 enum class JointIndex : int {};  // a joint of the scene, or a weld that the run has made
 enum class SpringIndex : int {};
+enum class AppliedForceIndex : int {};
+enum class IslandIndex : int {};  // of the bodies that are advanced together, or one that is alone
+enum class GroupIndex : int {};   // of an island of coupled bodies, among these
 
 inline constexpr ShapeIndex kNoShape{-1};
+inline constexpr IslandIndex kNoIsland{-1};
+inline constexpr GroupIndex kNoGroup{-1};
 
 // What starts and stops to act in flight: a one-sided spring or a string.
 using Switch = std::variant<SpringIndex, JointIndex>;
@@ -45,23 +50,45 @@ struct ShapePair {
   [[nodiscard]] bool known() const { return a != kNoShape; }
 };
 
+// The first `count` numbers of a kind, to walk over.
+template <class Index>
+class Indices {
+ public:
+  explicit constexpr Indices(std::size_t count) : count_(static_cast<int>(count)) {}
+  struct Iterator {
+    int at;
+    constexpr Index operator*() const { return Index{at}; }
+    constexpr Iterator& operator++() {
+      ++at;
+      return *this;
+    }
+    constexpr bool operator==(const Iterator&) const = default;
+  };
+  [[nodiscard]] constexpr Iterator begin() const { return {0}; }
+  [[nodiscard]] constexpr Iterator end() const { return {count_}; }
+  [[nodiscard]] constexpr std::size_t size() const { return static_cast<std::size_t>(count_); }
+
+ private:
+  int count_;
+};
+
 // An array that is looked up by one kind of index alone.
 template <class Index, class T>
 class ArrayOf {
  public:
   void push_back(T value) { values_.push_back(std::move(value)); }
+  T& emplace_back() { return values_.emplace_back(); }
+  void clear() { values_.clear(); }
   void resize(std::size_t size) { values_.resize(size); }
   void assign(std::size_t size, const T& value) { values_.assign(size, value); }
   [[nodiscard]] std::size_t size() const { return values_.size(); }
   [[nodiscard]] bool empty() const { return values_.empty(); }
   [[nodiscard]] Index end_index() const { return Index{static_cast<int>(values_.size())}; }
+  [[nodiscard]] auto begin() { return values_.begin(); }
+  [[nodiscard]] auto end() { return values_.end(); }
   [[nodiscard]] auto begin() const { return values_.begin(); }
   [[nodiscard]] auto end() const { return values_.end(); }
-  // Calls visit(index) for each in order.
-  template <class Visit>
-  void each_index(const Visit& visit) const {
-    for (int i = 0; i < static_cast<int>(values_.size()); ++i) visit(Index{i});
-  }
+  [[nodiscard]] Indices<Index> indices() const { return Indices<Index>(values_.size()); }
   [[nodiscard]] T& operator[](Index i) { return values_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const T& operator[](Index i) const { return values_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] T& back() { return values_.back(); }

@@ -110,8 +110,8 @@ Checkpoint Simulation::checkpoint() const {
   kept.taut = std::move(trajectories.taut);
   kept.released_at = std::move(trajectories.released_at);
   for (BodyIndex i{0}; i < parts_->world.bodies(); ++i) {
-    const int island = parts_->world.trajectories.island_of(i);
-    kept.next_step.push_back(island < 0 ? 0.0 : trajectories.next_step[static_cast<std::size_t>(island)]);
+    const IslandIndex island = parts_->world.trajectories.island_of(i);
+    kept.next_step.push_back(island == kNoIsland ? 0.0 : trajectories.next_step[island]);
   }
   if (const auto* events = std::get_if<EventDrivenImpacts>(&parts_->impacts)) kept.waiting = events->waiting();
   if (parts_->resting) {
@@ -147,9 +147,9 @@ void Simulation::go_on_from(const Checkpoint& from) {
   trajectories.switches_missed_since = from.sums.notices.switches_missed_since;
   trajectories.lost_to_joints = from.sums.ledger.lost_to_joints;
   if (from.method == method()) {
-    for (int k = 0; k < parts_->world.trajectories.islands(); ++k) {
+    for (const IslandIndex k : parts_->world.trajectories.islands()) {
       const auto first = static_cast<std::size_t>(parts_->world.trajectories.members(k).front());
-      trajectories.next_step[static_cast<std::size_t>(k)] = from.next_step[first];
+      trajectories.next_step[k] = from.next_step[first];
     }
     state.waiting = from.waiting;
     state.contacts = {from.contacts, from.support, {}};

@@ -79,7 +79,7 @@ void Simulation::watch_impacts(bool on) { parts_->world.log.records_jumps = on; 
 Eigen::Matrix3Xd Simulation::accelerations(const State& state, double time, BodyIndex of) const {
   Trajectories& trajectories = parts_->world.trajectories;
   Eigen::Matrix3Xd by = Eigen::Matrix3Xd::Zero(3, state.size());
-  for (int k = 0; k < trajectories.islands(); ++k) {
+  for (const IslandIndex k : trajectories.islands()) {
     if (of == kNoBody || trajectories.island_of(of) == k)
       trajectories.accelerations(k, state, time - trajectories.epoch(), by);
   }
@@ -136,7 +136,7 @@ void Simulation::set_method(const Method& method) {
   if (method.step != parts_->world.method.step) parts_->world.clock.divided_end = 0.0;
   parts_->world.method = method;
   // Trajectories that continue across steps are advanced here; the others were at the step's end.
-  for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, time() - trajectories.epoch());
+  for (const IslandIndex k : trajectories.islands()) trajectories.advance_to(k, time() - trajectories.epoch());
   if (parts_->resting) parts_->resting->release(parts_->world);
   trajectories.set_method(method);
   trajectories.begin(time());
@@ -150,7 +150,7 @@ void Simulation::move_hand(const Vec2& place) {
   auto* impacts = std::get_if<EventDrivenImpacts>(&parts_->impacts);
   if (impacts == nullptr || !choice_of(kIntegrators, parts_->world.method.integrator).adaptive) return;
   // Trajectories that continue across steps begin anew.
-  for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, time() - trajectories.epoch());
+  for (const IslandIndex k : trajectories.islands()) trajectories.advance_to(k, time() - trajectories.epoch());
   trajectories.begin(time());
   const std::vector<WaitingPair> waiting = impacts->waiting();
   impacts->restore(parts_->world.bodies(), impacts->at_once(), waiting, std::nullopt);

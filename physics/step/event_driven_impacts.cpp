@@ -104,7 +104,7 @@ void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) 
   }
   if (resting != nullptr) {
     const double left = process_with_supports(step);
-    for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, left);
+    for (const IslandIndex k : trajectories.islands()) trajectories.advance_to(k, left);
     resolving_.swap(end_of_step_);
     end_of_step_.clear();
     std::vector<BodyPair> pairs = resting->finder().supported();
@@ -131,18 +131,18 @@ void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
   resolving_islands_.clear();
   if (run_on) {
     // The islands of these pairs, without duplicates, in the order of the pairs.
-    is_resolving_.assign(static_cast<std::size_t>(trajectories.islands()), false);
+    is_resolving_.assign(trajectories.islands().size(), 0);
     for (const WaitingPair& d : pairs) {
       for (const BodyIndex i : {d.a, d.b}) {
-        const int island = trajectories.island_of(i);
-        if (island < 0 || is_resolving_[static_cast<std::size_t>(island)]) continue;
-        is_resolving_[static_cast<std::size_t>(island)] = true;
+        const IslandIndex island = trajectories.island_of(i);
+        if (island == kNoIsland || is_resolving_[island] != 0) continue;
+        is_resolving_[island] = 1;
         resolving_islands_.push_back(island);
       }
     }
-    for (const int island : resolving_islands_) trajectories.advance_to(island, target);
+    for (const IslandIndex island : resolving_islands_) trajectories.advance_to(island, target);
   } else {
-    for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, target);
+    for (const IslandIndex k : trajectories.islands()) trajectories.advance_to(k, target);
   }
   world.publish(target);
   if (pairs.empty()) return;
@@ -166,7 +166,7 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
   Trajectories& trajectories = world.trajectories;
   RestingContacts& resting = *step.resting;
   const auto may_divide = [&](int part) {
-    return part < (trajectories.islands() <= kFew ? kMostPartsOfFew : kMostParts);
+    return part < (trajectories.islands().size() <= kFew ? kMostPartsOfFew : kMostParts);
   };
   for (int part = 1;; ++part) {
     const double left = step.h;
@@ -187,7 +187,7 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
     const double passed = stops ? *stops : landing ? landing->time : supported;
     resting.record_forces(world, passed, passed / supported);
     if (!(passed < left)) return left;
-    for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, passed);
+    for (const IslandIndex k : trajectories.islands()) trajectories.advance_to(k, passed);
     if (landing) resting.land(world, *landing);
     world.publish(passed);
     step.h = step.horizon = left - passed;
@@ -237,7 +237,7 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
       continue;
     }
     if (next.b < 0) {
-      const int island = trajectories.island_of(next.a);
+      const IslandIndex island = trajectories.island_of(next.a);
       world.sums.ledger.lost_to_dampers += trajectories.advance_to_end(island);
       // A string that goes taut or slack, or a spring that acts from now on, disturbs contacts as impacts do.
       // The adaptive integrator's own steps end trajectories, too.
@@ -293,7 +293,7 @@ bool EventDrivenImpacts::resolve(const Step& step, BodyIndex a, BodyIndex b, dou
     if (const std::optional<bool> divides = resolve_at_once(step, a, b, time)) return *divides;
   }
   for (const BodyIndex i : {a, b}) {
-    if (trajectories.island_of(i) >= 0 && trajectories.start(i) != time)
+    if (trajectories.island_of(i) != kNoIsland && trajectories.start(i) != time)
       trajectories.advance_to(trajectories.island_of(i), time);
   }
   const Contact contact = world.approach(a, b, touch_tolerance(world, a, b), *parts).contact;
@@ -317,9 +317,9 @@ bool EventDrivenImpacts::resolve_alone(const Step& step, BodyIndex a, BodyIndex 
   const bool divides = classify_rebound(step, a, b, contact, rests, time, guarded);
   note_disturbed(step, a, b, time);
   count_at_once(world, a, b, time);
-  const int island_a = world.trajectories.island_of(a);
-  const int island_b = world.trajectories.island_of(b);
-  if (island_a >= 0 && island_b >= 0 && island_a != island_b) {
+  const IslandIndex island_a = world.trajectories.island_of(a);
+  const IslandIndex island_b = world.trajectories.island_of(b);
+  if (island_a != kNoIsland && island_b != kNoIsland && island_a != island_b) {
     rebuild_and_search(step, std::array{island_a, island_b});
   } else {
     rebuild_and_search(step, std::array{std::max(island_a, island_b)});

@@ -97,10 +97,10 @@ class EventDrivenImpacts {
   void choose_cells(const World& world, double horizon);
   void rebuild_all(const Step& step);
   // Rebuilds an island's trajectory and puts the bounds of its path into the grid.
-  void rebuild(const Step& step, int island);
+  void rebuild(const Step& step, IslandIndex island);
   // Rebuilds these islands and schedules their next impacts.
-  void rebuild_and_search(const Step& step, std::span<const int> islands);
-  void search_island(const Step& step, int island);
+  void rebuild_and_search(const Step& step, std::span<const IslandIndex> islands);
+  void search_island(const Step& step, IslandIndex island);
   void search(const Step& step, BodyIndex a, BodyIndex b,
               double from = -std::numeric_limits<double>::infinity());
   std::optional<ShapePair> parts_that_meet(const Step& step, BodyIndex a, BodyIndex b, double time);
@@ -120,10 +120,10 @@ class EventDrivenImpacts {
   std::vector<std::uint32_t> stamp_;  // by body, that of its island; constant for static bodies
   PairList end_of_step_;
   PairList resolving_;
-  std::vector<int> resolving_islands_;  // of resolving_, if trajectories continue across steps
-  std::vector<bool> is_resolving_;      // by island
-  int trajectory_ends_ = 0;             // in this step
-  double stretch_ = 1.0;                // of trajectories that no step ends, if too many ended
+  std::vector<IslandIndex> resolving_islands_;  // of resolving_, if trajectories continue across steps
+  ArrayOf<IslandIndex, std::uint8_t> is_resolving_;
+  int trajectory_ends_ = 0;  // in this step
+  double stretch_ = 1.0;     // of trajectories that no step ends, if too many ended
   ImpactCluster cluster_;
   std::vector<BodyIndex> reached_;  // bodies of a cluster, as they are found
   std::vector<Event> moment_;

@@ -66,7 +66,7 @@ void GaussContacts::note_breaks(const GaussStep& step, double ends) {
 void GaussContacts::join(const World& world, const Contacts& found, const Islands& islands) {
   const Trajectories& trajectories = world.trajectories;
   joined_.resize(static_cast<std::size_t>(islands.size()));
-  joined_of_.assign(static_cast<std::size_t>(trajectories.islands()), -1);
+  joined_of_.assign(trajectories.islands().size(), -1);
   for (int k = 0; k < islands.size(); ++k) {
     const std::span<const int> contacts = islands.of(k);
     std::vector<int>& own = joined_[static_cast<std::size_t>(k)];
@@ -74,7 +74,7 @@ void GaussContacts::join(const World& world, const Contacts& found, const Island
     for (const int i : contacts) {
       for (const BodyIndex body : {found.a[i], found.b[i]}) {
         if (!trajectories.is_jointed(body)) continue;
-        int& at = joined_of_[static_cast<std::size_t>(trajectories.island_of(body))];
+        int& at = joined_of_[trajectories.island_of(body)];
         if (at >= 0 && at != k) move_contacts(at, k);
         at = k;
       }

@@ -53,7 +53,7 @@ class GaussContacts {
 
   double h_ = 0.0;                        // s
   std::vector<std::vector<int>> joined_;  // contacts of islands, together where joints join their bodies
-  std::vector<int> joined_of_;            // by island of the trajectories; -1: none
+  ArrayOf<IslandIndex, int> joined_of_;   // which of these; -1: none
   GaussIsland island_;
   std::vector<GaussContact> all_;       // that have linear forces
   std::vector<std::uint8_t> improved_;  // by contact

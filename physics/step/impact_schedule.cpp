@@ -68,11 +68,11 @@ void EventDrivenImpacts::rebuild_all(const Step& step) {
   const int n = world.bodies();
   queue_.clear();
   for (BodyIndex i{0}; i < n; ++i) {
-    if (world.trajectories.island_of(i) >= 0) continue;
+    if (world.trajectories.island_of(i) != kNoIsland) continue;
     const Eigen::Array2d x = world.trajectories.at_start(i).head<2>().array();
     grid_.put(i, {x - world.shapes().extent.col(i).array(), x + world.shapes().extent.col(i).array()});
   }
-  for (int k = 0; k < world.trajectories.islands(); ++k) rebuild(step, k);
+  for (const IslandIndex k : world.trajectories.islands()) rebuild(step, k);
   // Each pair once: from its movable body with the higher index, or from its only movable body.
   std::size_t left = BroadPhase::most_pairs(world.model->bodies());
   for (BodyIndex i{0}; i < n && left > 0; ++i) {
@@ -85,7 +85,7 @@ void EventDrivenImpacts::rebuild_all(const Step& step) {
   }
 }
 
-void EventDrivenImpacts::rebuild(const Step& step, int island) {
+void EventDrivenImpacts::rebuild(const Step& step, IslandIndex island) {
   Trajectories& trajectories = step.world.trajectories;
   const Geometry& shapes = step.world.shapes();
   trajectories.rebuild(island, step.horizon, stretch_ * reach_, stretch_ * Trajectories::kUsualTurn);
@@ -106,12 +106,12 @@ void EventDrivenImpacts::rebuild(const Step& step, int island) {
   if (end < step.horizon) queue_.push({end, first, kNoBody, stamp_[first], 0});
 }
 
-void EventDrivenImpacts::rebuild_and_search(const Step& step, std::span<const int> islands) {
-  for (const int island : islands) rebuild(step, island);
-  for (const int island : islands) search_island(step, island);
+void EventDrivenImpacts::rebuild_and_search(const Step& step, std::span<const IslandIndex> islands) {
+  for (const IslandIndex island : islands) rebuild(step, island);
+  for (const IslandIndex island : islands) search_island(step, island);
 }
 
-void EventDrivenImpacts::search_island(const Step& step, int island) {
+void EventDrivenImpacts::search_island(const Step& step, IslandIndex island) {
   World& world = step.world;
   std::int64_t neighbours = 0;
   for (const BodyIndex i : world.trajectories.members(island)) {

@@ -26,11 +26,11 @@ constexpr std::size_t kMostOfMoment = 256;
 constexpr double kMostOff = 2e-10;
 
 // The islands of these bodies, in rising order.
-std::vector<int> islands_of(const Trajectories& trajectories, const std::vector<BodyIndex>& bodies) {
-  std::vector<int> islands;
+std::vector<IslandIndex> islands_of(const Trajectories& trajectories, const std::vector<BodyIndex>& bodies) {
+  std::vector<IslandIndex> islands;
   for (const BodyIndex i : bodies) {
-    const int island = trajectories.island_of(i);
-    if (island < 0 || std::find(islands.begin(), islands.end(), island) != islands.end()) continue;
+    const IslandIndex island = trajectories.island_of(i);
+    if (island == kNoIsland || std::find(islands.begin(), islands.end(), island) != islands.end()) continue;
     islands.push_back(island);
   }
   std::sort(islands.begin(), islands.end());
@@ -221,8 +221,8 @@ std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, BodyIn
   const ImpactCluster::Touch* only = cluster_.only_one_left();
   if (cluster_.touches().size() < 2 && only == nullptr) return std::nullopt;
   if (!all) at_once_work_ += cluster_.work(world);
-  const std::vector<int> islands = islands_of(trajectories, cluster_.find_bodies());
-  for (const int island : islands) {
+  const std::vector<IslandIndex> islands = islands_of(trajectories, cluster_.find_bodies());
+  for (const IslandIndex island : islands) {
     if (trajectories.start(trajectories.members(island).front()) != time) trajectories.advance_to(island, time);
   }
   if (only != nullptr) {

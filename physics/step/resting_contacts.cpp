@@ -293,7 +293,7 @@ void RestingContacts::project_penetrations(World& world) {
   }
   world.sums.ledger.penetration_correction += world.field().potential_energy(world.state.q) - before;
   keep_angular_momentum(world, c, workspace_.islands, moved_, bodies_);
-  for (int k = 0; k < world.trajectories.islands(); ++k) {
+  for (const IslandIndex k : world.trajectories.islands()) {
     if (world.trajectories.is_jointed(world.trajectories.members(k).front())) world.restore_joints(k);
   }
   for (int i = 0; i < c.size(); ++i) c.gap[i] += contact_velocity(c, i, moved_).normal;

@@ -8,7 +8,7 @@ namespace carom {
 void StepEndImpacts::fly(World& world, double start, double h) {
   Trajectories& trajectories = world.trajectories;
   trajectories.begin(start);
-  for (int k = 0; k < trajectories.islands(); ++k) {
+  for (const IslandIndex k : trajectories.islands()) {
     double end = 0.0;
     do {
       trajectories.rebuild(k, h, 0.0);

@@ -31,7 +31,7 @@ World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
   const double start = model->start_time;
   trajectories.begin(start);
   // A file's seven digits don't place joints' ends within rounding.
-  for (int k = 0; k < trajectories.islands(); ++k) trajectories.restore_joints(k);
+  for (const IslandIndex k : trajectories.islands()) trajectories.restore_joints(k);
   state.resize(bodies());
   state.quadratures.setZero();
   trajectories.begin(start);
@@ -99,7 +99,7 @@ Approach World::fastest_approach(BodyIndex a, BodyIndex b, double tolerance, con
                              {yb.segment<2>(3), yb[5]}, tolerance, parts);
 }
 
-void World::restore_joints(int island) {
+void World::restore_joints(IslandIndex island) {
   const auto totals_now = [&] {
     for (const BodyIndex i : trajectories.members(island)) state.set_motion(i, trajectories.at_start(i));
     return totals();

@@ -91,7 +91,7 @@ struct World {
                                           const ShapePair& parts) const;
   // After a push has moved a body: projects positions and velocities of its island onto the joints. The
   // energy counts as the push's, the momentum as that of the joints' anchors.
-  void restore_joints(int island);
+  void restore_joints(IslandIndex island);
 
   // Enters what bodies don't take of the angular momentum (about the origin) that an impulse j (N s) at a point
   // (m) and a moment (kg m²/s) give to them: all of it for a body of infinite mass, the moment about its centre
