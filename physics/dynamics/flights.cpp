@@ -114,8 +114,7 @@ void Flights::fly_one(const Island& island, double time, Motion& out) {
     out.segment<2>(3) = drive_velocity(drive.law, epoch + time);
     return;
   }
-  evaluations += evaluations_a_flight;
-  flight_work += evaluations_a_flight;
+  count_flight();
   if (parabolic && !field.has_quadratures()) {
     // Every such method's flight, whatever way it goes.
     out << parabola(body, time), parabola_velocity(body, time), at_start.col(body).tail<kQuadratures>();
@@ -181,6 +180,32 @@ Motion Flights::at(BodyIndex body, double time) {
     return out;
   }
   return fly_group(island, time).col(column_of(island, body));
+}
+
+void Flights::read(double time, State& into) {
+  const bool everywhere = parabolic && !field.has_quadratures();
+  const bool bends = field.contact_changes();
+  for (BodyIndex i{0}; i < into.size(); ++i) {
+    const IslandIndex k = island_of[i];
+    if (!everywhere || (k != kNoIsland && islands[k].kinematic)) {
+      into.set_motion(i, at(i, time));
+      continue;
+    }
+    if (bends) {
+      into.q.col(i) = parabola(i, time);
+      into.v.col(i) = parabola_velocity(i, time);
+      continue;
+    }
+    const double h = k == kNoIsland ? 0.0 : time - islands[k].start;
+    const auto y = at_start.col(i);
+    into.q.col(i) = y.head<3>() + h * (y.segment<3>(3) + 0.5 * h * constant.col(i));
+    into.v.col(i) = y.segment<3>(3) + h * constant.col(i);
+  }
+  if (!everywhere || model->forces.gravity.isZero(0.0)) return;
+  for (BodyIndex i{0}; i < into.size(); ++i) {
+    if (!model->infinite_mass(i))
+      into.quadratures.col(i)[kGravityAngularImpulse] = angular_impulse_of_gravity(i, time);
+  }
 }
 
 Eigen::Vector3d Flights::acceleration(BodyIndex body) {

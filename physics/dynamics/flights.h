@@ -82,6 +82,31 @@ struct Flights {
   const Motions& group_at(const Island& island, double time);  // likewise, without a step at its start
   const Motions& rates_of(const Island& island, double time, const Motions& y);  // of a group
   [[nodiscard]] Motion at(BodyIndex body, double time);
+  // q in m and rad alone, and with v: on a parabola a fraction of the work.
+  [[nodiscard]] Eigen::Vector3d place(BodyIndex body, double time) {
+    if (!is_on_parabola(body, time)) return at(body, time).head<3>();
+    count_flight();
+    return parabola(body, time);
+  }
+  [[nodiscard]] Kinematics kinematics(BodyIndex body, double time) {
+    if (!is_on_parabola(body, time)) return at(body, time).head<kMotionRows>();
+    count_flight();
+    Kinematics y;
+    y << parabola(body, time), parabola_velocity(body, time);
+    return y;
+  }
+  void count_flight() {
+    evaluations += evaluations_a_flight;
+    flight_work += evaluations_a_flight;
+  }
+  // Those of all bodies.
+  void read(double time, State& into);
+  // Whether the body is between the ends of its trajectory there, on a parabola.
+  [[nodiscard]] bool is_on_parabola(BodyIndex body, double time) const {
+    if (!parabolic || field.has_quadratures() || island_of[body] == kNoIsland) return false;
+    const Island& island = islands[island_of[body]];
+    return !island.kinematic && time != island.start && time != island.end;
+  }
   // Whether the body's acceleration by contacts changes during the step.
   [[nodiscard]] bool is_bent(BodyIndex body) const {
     return field.contact_changes() && !field.contact_rate(body).isZero(0.0);

@@ -33,8 +33,9 @@ inline constexpr int kRowsWithoutGravity = kRows - 1;
 
 template <int kBodies>
 using Columns = Eigen::Matrix<double, kRows, kBodies>;
-using Motion = Columns<1>;                // of one body
-using Motions = Columns<Eigen::Dynamic>;  // of several that are advanced together
+using Motion = Columns<1>;                                 // of one body
+using Kinematics = Eigen::Matrix<double, kMotionRows, 1>;  // q and v of one body alone
+using Motions = Columns<Eigen::Dynamic>;                   // of several that are advanced together
 
 template <class Y>
 [[nodiscard]] auto q_of(Y&& y) {

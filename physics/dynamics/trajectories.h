@@ -63,6 +63,10 @@ class Trajectories {
   [[nodiscard]] auto at_end(BodyIndex body) const { return flights_.at_end.col(body); }
   // start <= time <= end, or later until the trajectory is rebuilt.
   [[nodiscard]] Motion at(BodyIndex body, double time) { return flights_.at(body, time); }
+  [[nodiscard]] Eigen::Vector3d place(BodyIndex body, double time) { return flights_.place(body, time); }
+  [[nodiscard]] Kinematics kinematics(BodyIndex body, double time) { return flights_.kinematics(body, time); }
+  // Likewise of all bodies.
+  void read(double time, State& into) { flights_.read(time, into); }
   // All bodies at a time, each no earlier than its start, for who only looks: neither the work since
   // begin_step() nor any later motion knows of it.
   void look_at(double time, State& into);

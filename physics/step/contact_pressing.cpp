@@ -110,11 +110,11 @@ double ContactPressing::rest_speed(const World& world, double press, double rest
 
 void carry_forces(World& world, double passed, const Neighbours& neighbours, ContactMemory& memory) {
   const Geometry& g = world.shapes();
-  const auto pose = [&](BodyIndex i) { return g.pose(i, world.trajectories.at(i, passed).head<3>()); };
+  const auto pose = [&](BodyIndex i) { return g.pose(i, world.trajectories.place(i, passed)); };
   for (std::size_t k = 0; k < memory.support.size(); ++k) {
     ContactForce& f = memory.forces[k];
     const auto moved = [&](BodyIndex i) -> Eigen::Vector3d {
-      return world.trajectories.at(i, passed).head<3>() - world.state.q.col(i);
+      return world.trajectories.place(i, passed) - world.state.q.col(i);
     };
     const Eigen::Vector3d by_a = moved(f.a);
     const Eigen::Vector3d by_b = moved(f.b);

@@ -90,7 +90,7 @@ struct Paths {
 
   [[nodiscard]] Eigen::Vector3d at(BodyIndex i, double t) const {
     if (parabolic) return trajectories.parabola(i, t);
-    return trajectories.at(i, t).head<3>();
+    return trajectories.place(i, t);
   }
   [[nodiscard]] Pose pose(BodyIndex i, ShapeIndex part, double t) const {
     return shapes.part_pose(i, part, shapes.pose(i, at(i, t)));

@@ -114,7 +114,7 @@ bool ends_there(World& world, const TouchNearEnd& touch, double time, const Neig
         n.dot(face.normal) > turned.dot(face.normal) && sign * cross(face.normal, n) > 0.0)
       return false;
   }
-  const auto pose = [&](BodyIndex i) { return g.pose(i, world.trajectories.at(i, time).head<3>()); };
+  const auto pose = [&](BodyIndex i) { return g.pose(i, world.trajectories.place(i, time)); };
   const Pose of_face = g.part_pose(on.body, face.part, pose(on.body));
   const Vec2 past = turned_by(sign * kBeyond, face.normal);
   const auto [a, b] = std::minmax(on.body, on.toucher);

@@ -24,7 +24,7 @@ constexpr double kLeast = 0.5;
 constexpr double kAccepted = 1e4;
 
 // The mean position on a path that is a cubic in time, weighted by the share of a Gauss point.
-Vec2 weighted_mean(std::size_t point, const Motion& from, const Motion& to, double h) {
+Vec2 weighted_mean(std::size_t point, const Kinematics& from, const Kinematics& to, double h) {
   // The integrals of Hermite's polynomials over the step, and of those times the time.
   constexpr std::array<double, 4> kWhole{0.5, 1.0 / 12.0, 0.5, -1.0 / 12.0};
   constexpr std::array<double, 4> kMoment{3.0 / 20.0, 1.0 / 30.0, 7.0 / 20.0, -1.0 / 20.0};
@@ -55,7 +55,7 @@ double gauss_share_until(std::size_t point, double time) {
                     : kRoot3 * time * (0.5 * time - kGaussPoints[0]);
 }
 
-bool find_contact(const World& world, BodyIndex a, const Motion& ya, BodyIndex b, const Motion& yb,
+bool find_contact(const World& world, BodyIndex a, const Kinematics& ya, BodyIndex b, const Kinematics& yb,
                   std::uint32_t id, Contact& contact, RowVelocity& velocity) {
   const Geometry& g = world.shapes();
   const Manifold m = manifold_of(g, a, g.pose(a, ya.head<3>()), b, g.pose(b, yb.head<3>()), id,
@@ -73,7 +73,7 @@ bool find_contact(const World& world, BodyIndex a, const Motion& ya, BodyIndex b
   return true;
 }
 
-bool find_contact(const GaussStep& step, const GaussContact& c, const Motion& ya, const Motion& yb,
+bool find_contact(const GaussStep& step, const GaussContact& c, const Kinematics& ya, const Kinematics& yb,
                   Contact& contact, RowVelocity& velocity) {
   const Geometry& g = step.world.shapes();
   if (!c.corner)
@@ -85,7 +85,7 @@ bool find_contact(const GaussStep& step, const GaussContact& c, const Motion& ya
   return true;
 }
 
-GaussContact::AtTime at_time(const Contact& contact, const Motion& ya, const Motion& yb,
+GaussContact::AtTime at_time(const Contact& contact, const Kinematics& ya, const Kinematics& yb,
                              const RowVelocity& velocity) {
   return {contact.normal,  contact.point - ya.head<2>(), contact.point - yb.head<2>(), contact.gap,
           velocity.normal, velocity.tangential};
@@ -114,11 +114,11 @@ void GaussIsland::sample(const GaussStep& step) {
   Trajectories& trajectories = step.world.trajectories;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Sampled& s = sampled_[i];
-    s.start = trajectories.at_start(bodies_[i]);
-    s.end = trajectories.at(bodies_[i], step.h);
-    s.halfway = trajectories.at(bodies_[i], 0.5 * step.h);
+    s.start = trajectories.at_start(bodies_[i]).head<kMotionRows>();
+    s.end = trajectories.kinematics(bodies_[i], step.h);
+    s.halfway = trajectories.kinematics(bodies_[i], 0.5 * step.h);
     for (const std::size_t k : {0U, 1U}) {
-      s.at[k] = trajectories.at(bodies_[i], kGaussPoints[k] * step.h);
+      s.at[k] = trajectories.kinematics(bodies_[i], kGaussPoints[k] * step.h);
       s.mean[k] = weighted_mean(k, s.start, s.end, step.h);
     }
   }
@@ -153,7 +153,7 @@ bool GaussIsland::look(const GaussStep& step) {
 bool GaussIsland::is_continued(const GaussStep& step) const {
   const World& world = step.world;
   const auto pose = [&](BodyIndex body) {
-    return world.shapes().pose(body, step.world.trajectories.at(body, step.h).head<3>());
+    return world.shapes().pose(body, step.world.trajectories.place(body, step.h));
   };
   return std::any_of(closed_.begin(), closed_.end(), [&](const GaussContact& c) {
     Contact contact;

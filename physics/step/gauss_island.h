@@ -98,13 +98,13 @@ class GaussIsland {
   [[nodiscard]] std::vector<GaussContact>& closed() { return closed_; }
   [[nodiscard]] const std::vector<GaussContact>& closed() const { return closed_; }
   [[nodiscard]] std::span<const int> contacts() const { return contacts_; }
-  [[nodiscard]] const Motion& at_end(BodyIndex body) const { return sampled(body).end; }
+  [[nodiscard]] const Kinematics& at_end(BodyIndex body) const { return sampled(body).end; }
 
  private:
   // A body at the times at which it is looked at.
   struct Sampled {
-    Motion start, halfway, end;
-    std::array<Motion, 2> at;
+    Kinematics start, halfway, end;
+    std::array<Kinematics, 2> at;
     std::array<Vec2, 2> mean;  // m: where arms start
   };
 
@@ -144,13 +144,13 @@ class GaussIsland {
 
 // A contact in these motions of its bodies; a corner that has left its face stays on the face's line. False if
 // there is none.
-bool find_contact(const GaussStep& step, const GaussContact& c, const Motion& ya, const Motion& yb,
+bool find_contact(const GaussStep& step, const GaussContact& c, const Kinematics& ya, const Kinematics& yb,
                   Contact& contact, RowVelocity& velocity);
 // Likewise where the bodies are nearest: the point of this id or, where a corner has come to face the other
 // body by another edge, the one nearest to touching.
-bool find_contact(const World& world, BodyIndex a, const Motion& ya, BodyIndex b, const Motion& yb,
+bool find_contact(const World& world, BodyIndex a, const Kinematics& ya, BodyIndex b, const Kinematics& yb,
                   std::uint32_t id, Contact& contact, RowVelocity& velocity);
-[[nodiscard]] GaussContact::AtTime at_time(const Contact& contact, const Motion& ya, const Motion& yb,
+[[nodiscard]] GaussContact::AtTime at_time(const Contact& contact, const Kinematics& ya, const Kinematics& yb,
                                            const RowVelocity& velocity);
 // That of a contact that does not stick.
 [[nodiscard]] double friction_of(const GaussStep& step, const GaussContact& c);

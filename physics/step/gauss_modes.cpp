@@ -75,7 +75,8 @@ double slip_ends(const GaussStep& step, const GaussContact& c, double wrong) {
   const auto slip = [&](double time) {
     Contact contact;
     RowVelocity velocity{};
-    (void)find_contact(step, c, trajectories.at(c.a, time), trajectories.at(c.b, time), contact, velocity);
+    (void)find_contact(step, c, trajectories.kinematics(c.a, time), trajectories.kinematics(c.b, time), contact,
+                       velocity);
     return c.slips * velocity.tangential;
   };
   return bracketed_root(slip, 0.0, c.slips * c.start.slip, wrong, slip(wrong));

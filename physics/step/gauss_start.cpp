@@ -193,7 +193,7 @@ bool GaussIsland::is_needed(const GaussStep& step) const {
     const World& world = step.world;
     if (world.infinite_mass(body) || world.shapes().is_disc(body)) return 0.0;
     const auto place = [&](std::size_t k) {
-      const Motion& at = sampled(body).at[k];
+      const Kinematics& at = sampled(body).at[k];
       return turned_by(-at[2], Vec2(c.at[k].point - at.head<2>()));
     };
     return (place(1) - place(0)).norm() / world.shapes().size[body];

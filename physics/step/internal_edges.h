@@ -63,39 +63,56 @@ template <class PoseOf>
   const Geometry& g = world.shapes();
   const Vec2 half = 0.5 * contact.gap * contact.normal;
   const ShapePair parts = g.parts_or_first(contact.parts, a, b);
-  const auto covers = [&](BodyIndex other, BodyIndex owner, ShapeIndex part, BodyIndex toucher,
-                          const Vec2& point, const Vec2& normal) {
-    if (!world.can_collide(other, toucher) || g.shapes.core[part] == Core::kPoint) return false;
-    // Two half-planes have no size of their own.
-    const double size = std::max(g.size[owner] + g.size[other], g.size[toucher]);
-    const double tolerance = kFlush * size + 1e-12 * point.lpNorm<1>();
-    if (g.more.empty()) {
-      return neighbour_covers(g.shapes, part, pose(owner), g.first_part(other), pose(other), point, normal,
-                              tolerance, !world.can_collide(owner, other));
-    }
-    const bool one_body = owner == other;
-    const ShapeIndex touching = toucher == a ? parts.a : parts.b;
-    const bool by_face =
-        one_body && has_face(g.shapes, touching, g.part_pose(toucher, touching, pose(toucher)), -normal);
-    const Pose of_owner = g.part_pose(owner, part, pose(owner));
-    const Pose of_other = pose(other);
-    bool covered = false;
-    g.each_part(other, [&](ShapeIndex piece) {
-      if (covered || piece == part) return;
-      covered = neighbour_covers(g.shapes, part, of_owner, piece, g.part_pose(other, piece, of_other), point,
-                                 normal, tolerance, one_body || !world.can_collide(owner, other), by_face);
-    });
-    return covered;
+  struct Side {
+    BodyIndex body;
+    ShapeIndex part;
+    Pose pose;
   };
   const Vec2 on_a = contact.point - half;
   const Vec2 on_b = contact.point + half;
   if (on_seam_of_face(world, a, b, contact, others, pose)) return true;
-  if (g.has_parts(a) && covers(a, a, parts.a, b, on_a, contact.normal)) return true;
-  if (g.has_parts(b) && covers(b, b, parts.b, a, on_b, -contact.normal)) return true;
+  if (!g.has_parts(a) && !g.has_parts(b) && others.empty()) return false;
+  // A disc has no edge, and nobody asks where it is.
+  const auto side = [&](BodyIndex body, ShapeIndex part) {
+    const bool no_edge = g.more.empty() && g.shapes.core[part] == Core::kPoint;
+    return Side{body, part, no_edge ? Pose() : pose(body)};
+  };
+  const Side of_a = side(a, parts.a);
+  const Side of_b = side(b, parts.b);
+  const auto may_cover = [&](BodyIndex other, const Side& owner, const Side& toucher) {
+    return g.shapes.core[owner.part] != Core::kPoint && world.can_collide(other, toucher.body);
+  };
+  const auto covers = [&](BodyIndex other, const Pose& of_other, const Side& owner, const Side& toucher,
+                          const Vec2& point, const Vec2& normal) {
+    if (!may_cover(other, owner, toucher)) return false;
+    // Two half-planes have no size of their own.
+    const double size = std::max(g.size[owner.body] + g.size[other], g.size[toucher.body]);
+    const double tolerance = kFlush * size + 1e-12 * point.lpNorm<1>();
+    if (g.more.empty()) {
+      return neighbour_covers(g.shapes, owner.part, owner.pose, g.first_part(other), of_other, point, normal,
+                              tolerance, !world.can_collide(owner.body, other));
+    }
+    const bool one_body = owner.body == other;
+    const bool by_face = one_body && has_face(g.shapes, toucher.part,
+                                              g.part_pose(toucher.body, toucher.part, toucher.pose), -normal);
+    const Pose of_owner = g.part_pose(owner.body, owner.part, owner.pose);
+    bool covered = false;
+    g.each_part(other, [&](ShapeIndex piece) {
+      if (covered || piece == owner.part) return;
+      covered =
+          neighbour_covers(g.shapes, owner.part, of_owner, piece, g.part_pose(other, piece, of_other), point,
+                           normal, tolerance, one_body || !world.can_collide(owner.body, other), by_face);
+    });
+    return covered;
+  };
+  if (g.has_parts(a) && covers(a, of_a.pose, of_a, of_b, on_a, contact.normal)) return true;
+  if (g.has_parts(b) && covers(b, of_b.pose, of_b, of_a, on_b, -contact.normal)) return true;
   return std::any_of(others.begin(), others.end(), [&](BodyIndex other) {
-    return other != a && other != b &&
-           (covers(other, a, parts.a, b, on_a, contact.normal) ||
-            covers(other, b, parts.b, a, on_b, -contact.normal));
+    if (other == a || other == b || (!may_cover(other, of_a, of_b) && !may_cover(other, of_b, of_a)))
+      return false;
+    const Pose of_other = pose(other);
+    return covers(other, of_other, of_a, of_b, on_a, contact.normal) ||
+           covers(other, of_other, of_b, of_a, on_b, -contact.normal);
   });
 }
 

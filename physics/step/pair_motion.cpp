@@ -46,9 +46,7 @@ double touch_tolerance(const World& world, BodyIndex a, BodyIndex b, double dura
 }
 
 double gap_in_flight(World& world, BodyIndex a, BodyIndex b, const ShapePair& parts, double within) {
-  const auto pose = [&](BodyIndex i) {
-    return world.shapes().pose(i, world.trajectories.at(i, within).head<3>());
-  };
+  const auto pose = [&](BodyIndex i) { return world.shapes().pose(i, world.trajectories.place(i, within)); };
   Contact contact;
   contact.parts = parts;
   return contact_again(world.shapes(), a, pose(a), b, pose(b), contact).gap;

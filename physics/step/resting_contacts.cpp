@@ -308,7 +308,7 @@ void RestingContacts::record_forces(World& world, double passed, double share) {
   if (choice_of(kIntegrators, world.method.integrator).exact_under_gravity) {
     for (BodyIndex i{0}; i < world.state.size(); ++i) {
       if (!world.infinite_mass(i) || world.model->is_kinematic(i))
-        moved_.col(i) = (world.trajectories.at(i, passed).head<3>() - world.state.q.col(i)) / passed;
+        moved_.col(i) = (world.trajectories.place(i, passed) - world.state.q.col(i)) / passed;
     }
   }
   record_support(world, found_.contacts, linear_, share, moved_, passed, flight_);

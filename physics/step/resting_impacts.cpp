@@ -70,8 +70,8 @@ std::optional<LandingTime> RestingContacts::first_landing(World& world, double e
     const auto& [a, b, id] = landing;
     const double gone = shapes.size[a] + shapes.size[b];
     const auto gap = [&, a = a, b = b, id = id](double t) {
-      const Manifold m = manifold_of(shapes, a, shapes.pose(a, world.trajectories.at(a, t).head<3>()), b,
-                                     shapes.pose(b, world.trajectories.at(b, t).head<3>()), id,
+      const Manifold m = manifold_of(shapes, a, shapes.pose(a, world.trajectories.place(a, t)), b,
+                                     shapes.pose(b, world.trajectories.place(b, t)), id,
                                      std::numeric_limits<double>::infinity());
       const int k = point_with(m, id);
       return k >= 0 ? m.points[k].gap : gone;

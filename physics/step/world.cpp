@@ -44,26 +44,6 @@ World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
   sums.ledger.initial_angular_momentum = totals().angular_momentum;
 }
 
-void World::publish(double within) {
-  if (!trajectories.is_parabolic() || field().has_quadratures()) {
-    for (BodyIndex i{0}; i < state.size(); ++i) state.set_motion(i, trajectories.at(i, within));
-    return;
-  }
-  for (BodyIndex i{0}; i < state.size(); ++i) {
-    if (model->is_kinematic(i)) {
-      state.set_motion(i, trajectories.at(i, within));
-    } else {
-      state.q.col(i) = trajectories.parabola(i, within);
-      state.v.col(i) = trajectories.parabola_velocity(i, within);
-    }
-  }
-  if (model->forces.gravity.isZero(0.0)) return;
-  for (BodyIndex i{0}; i < state.size(); ++i) {
-    if (infinite_mass(i)) continue;
-    state.quadratures.col(i)[kGravityAngularImpulse] = trajectories.angular_impulse_of_gravity(i, within);
-  }
-}
-
 State World::state_at(double within) {
   State all;
   all.resize(state.size());
@@ -124,7 +104,10 @@ Ledger World::ledger() const {
 }
 
 void World::check_motions() const {
-  const auto beyond = [](const auto& m) { return !(m.array().abs() <= kLostBeyond).all(); };
+  constexpr double kSquare = kLostBeyond * kLostBeyond;
+  const auto beyond = [](const auto& m) {
+    return !(m.squaredNorm() <= kSquare) && !(m.array().abs() <= kLostBeyond).all();
+  };
   // Under gravity alone they are finite where the positions are.
   const bool finite = !field().has_quadratures() || state.quadratures.allFinite();
   if (!beyond(state.q) && !beyond(state.v) && finite) return;

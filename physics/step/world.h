@@ -76,7 +76,7 @@ struct World {
   }
 
   // Sets `state` to the motions at this time, in s after the epoch.
-  void publish(double within);
+  void publish(double within) { trajectories.read(within, state); }
   // All motions at this time; a body whose trajectory starts later is taken at its start.
   [[nodiscard]] State state_at(double within);
   // One side of a contact, at the start of the body's trajectory. `towards` is +1 for the contact's body a,

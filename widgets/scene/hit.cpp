@@ -12,13 +12,20 @@ namespace {
 // px around a moving body that count as a click on it, and the least radius that the mouse has to meet.
 constexpr double kClickSlack = 3.0;
 constexpr double kLeastRadius = 12.0;
-constexpr double kWallSlack = 6.0;  // px on each side of a thin wall
+constexpr double kWallSlack = 6.0;  // px on each side of a thin wall, or of a body that has some
+
+bool is_thin(const Shape& shape) {
+  if (const auto* wall = std::get_if<Wall>(&shape)) return wall->length.has_value();
+  const auto* compound = std::get_if<Compound>(&shape);
+  return compound != nullptr &&
+         std::any_of(compound->shapes.begin(), compound->shapes.end(),
+                     [](const PlacedShape& placed) { return std::holds_alternative<Wall>(placed.shape); });
+}
 
 // px around the body that count as a click on it.
 double slack_of(const Body& body, double seen) {
   if (!body.fixed) return std::max(kClickSlack, kLeastRadius - seen);
-  const auto* wall = std::get_if<Wall>(&body.shape);
-  return wall != nullptr && wall->length ? kWallSlack : 0.0;
+  return is_thin(body.shape) ? kWallSlack : 0.0;
 }
 
 bool covers(const Shape& shape, const Vec2& offset, double angle, double slack) {

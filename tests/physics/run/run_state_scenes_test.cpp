@@ -280,7 +280,8 @@ TEST(RunState, TheScenesHaveTheirMoments) {
   EXPECT_GE(at("at once").impact_count(), 1);
   const RunState springs = at("springs").run_state();
   EXPECT_NE(springs.trajectories.engaged, std::vector<std::uint8_t>(4, 1));
-  EXPECT_EQ(at("timed forces").run_state().trajectories.phase, (std::vector<int>{1, 0, 3, 2}));
+  const auto phases = at("timed forces").run_state().trajectories.phase;
+  EXPECT_EQ(std::vector<int>(phases.begin(), phases.end()), (std::vector<int>{1, 0, 3, 2}));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "tests/support/scene_fixture.h"
 #include "widgets/scene/drawing.h"
 #include "widgets/scene/paint_drawing.h"
+#include "widgets/scene/scene_thumbnail.h"
 
 namespace carom {
 namespace {
@@ -106,6 +107,23 @@ TEST_F(DrawingOf, ADentIsFreeAndPartsHaveNoSeams) {
       ASSERT_EQ(image.pixelColor(camera_.to_screen(at).toPoint()).name(), expected.name()) << at.transpose();
     }
   }
+}
+
+// The same cup fills a thumbnail of 60×40 px but for a margin.
+TEST_F(DrawingOf, AThumbnailShowsTheDent) {
+  Preset preset;
+  Body& cup = preset.scene.bodies.emplace_back();
+  cup.name = "cup";
+  cup.shape = Polygon{{{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  const QImage image =
+      scene_thumbnail(*frame_of(Simulation(setup_of(preset))), light_theme(), {60, 40}, 1.0).toImage();
+  ASSERT_EQ(image.size(), QSize(60, 40));
+  const QColor body = image.pixelColor(30, 30);
+  const QColor dent = image.pixelColor(30, 12);
+  EXPECT_NE(body, dent);
+  EXPECT_EQ(image.pixelColor(30, 1), dent) << "the ground";
+  EXPECT_EQ(image.pixelColor(15, 12), body) << "left arm";
+  EXPECT_EQ(image.pixelColor(45, 12), body) << "right arm";
 }
 
 TEST_F(DrawingOf, NamesNothingWhereItWouldBeClutter) {

@@ -69,6 +69,54 @@ TEST_F(SceneViewTest, TheMouseFindsAThinWall) {
   EXPECT_EQ(body_at(*frame, view_.camera(), on + QPointF(0.0, 8.0)), -1);
 }
 
+// A cup of 3 m × 2 m with a dent 1 m wide and deep, turned by 90°: the dent opens to the left.
+TEST_F(SceneViewTest, TheMouseFindsABodyOfSeveralShapesButNotItsDent) {
+  Preset preset = two_discs();
+  Body& cup = preset.scene.bodies[0];
+  cup.shape = Polygon{{{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  cup.position = Vec2(2.0, 1.0);
+  cup.angle = 0.5 * M_PI;
+  preset.scene.bodies.resize(1);
+  for (const bool fixed : {true, false}) {
+    preset.scene.bodies[0].fixed = fixed;
+    const auto frame = frame_of(Simulation(setup_of(preset)));
+    const auto found = [&](const Vec2& from_centre) {
+      return body_at(*frame, view_.camera(), view_.camera().to_screen(Vec2(2.0, 1.0) + from_centre));
+    };
+    // Its centre of mass is 0.9 m above its base, which is on the right.
+    EXPECT_EQ(found({0.8, 1.4}), 0) << "base";
+    EXPECT_EQ(found({-1.0, 1.4}), 0) << "upper arm";
+    EXPECT_EQ(found({-1.0, -1.4}), 0) << "lower arm";
+    EXPECT_EQ(found({-0.5, 0.0}), -1) << "dent";
+    EXPECT_EQ(found({-0.15, 0.0}), -1) << "its end";
+    EXPECT_EQ(found({-0.05, 0.0}), 0) << "its ground";
+    const auto in = [&](const Vec2& low, const Vec2& high) {
+      return bodies_in(*frame, view_.camera(),
+                       QRectF(view_.camera().to_screen(Vec2(2.0, 1.0) + Vec2(low.x(), high.y())),
+                              view_.camera().to_screen(Vec2(2.0, 1.0) + Vec2(high.x(), low.y()))))
+          .size();
+    };
+    EXPECT_EQ(in({-0.9, -0.4}, {-0.2, 0.4}), 0U) << "a band within the dent";
+    EXPECT_EQ(in({-0.9, -0.4}, {-0.2, 0.6}), 1U);
+  }
+}
+
+TEST_F(SceneViewTest, TheMouseFindsABodyOfThinWalls) {
+  Preset preset = two_discs();
+  preset.scene.bodies[0].shape =
+      Compound{{{Wall{2.0}, {0.0, 0.0}, 0.0, ""}, {Wall{2.0}, {1.0, 1.0}, 0.5 * M_PI, ""}}};
+  preset.scene.bodies[0].position = Vec2(2.0, 1.0);
+  preset.scene.bodies.resize(1);
+  const auto frame = frame_of(Simulation(setup_of(preset)));
+  // Its centre is 0.5 m from either wall.
+  const QPointF level = view_.camera().to_screen(Vec2(1.5, 0.5));
+  const QPointF upright = view_.camera().to_screen(Vec2(2.5, 1.5));
+  EXPECT_EQ(body_at(*frame, view_.camera(), level + QPointF(0.0, 5.0)), 0);
+  EXPECT_EQ(body_at(*frame, view_.camera(), level + QPointF(0.0, 8.0)), -1);
+  EXPECT_EQ(body_at(*frame, view_.camera(), upright + QPointF(-5.0, 0.0)), 0);
+  EXPECT_EQ(body_at(*frame, view_.camera(), upright + QPointF(-8.0, 0.0)), -1);
+}
+
 TEST_F(SceneViewTest, ZoomsToTheSelection) {
   const double scale = view_.camera().scale;
   view_.show_selected();
