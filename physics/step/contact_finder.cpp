@@ -76,7 +76,7 @@ std::optional<std::size_t> force_before(const World& world, const std::vector<Co
 }
 
 // Whether contact forces held one of two bodies in the last step.
-bool is_held(const World& world, const std::vector<ContactForce>& forces, BodyIndex a, BodyIndex b) {
+bool was_held(const World& world, const std::vector<ContactForce>& forces, BodyIndex a, BodyIndex b) {
   if (forces.size() > static_cast<std::size_t>(kFewContactsOfScene)) return true;
   return std::any_of(forces.begin(), forces.end(), [&](const ContactForce& f) {
     const auto holds = [&](BodyIndex body) {
@@ -98,6 +98,17 @@ void FoundContacts::clear() {
   returns.clear();
   landings.clear();
   hits.clear();
+}
+
+void ContactFinder::begin_part(const World& world, std::span<const ContactForce> held) {
+  kept_.clear();
+  held_.assign(held.empty() ? 0 : static_cast<std::size_t>(world.bodies()), 0);
+  for (const ContactForce& f : held) {
+    if (!(f.normal_force > 0.0)) continue;
+    for (const BodyIndex body : {f.a, f.b}) {
+      if (!world.infinite_mass(body)) held_[static_cast<std::size_t>(body)] = 1;
+    }
+  }
 }
 
 void ContactFinder::find(World& world, double step_length, double h, const ContactPressing& pressing,
@@ -173,7 +184,7 @@ Manifold ContactFinder::exposed(const Step& step, BodyIndex a, BodyIndex b, cons
   return exposed_points(
       world, a, b, m, neighbours_.of_pair(world, a, b), [&](BodyIndex body) { return poses_[body]; },
       [&](const ManifoldPoint& continued) {
-        if (continued.gap <= kFlush * size || is_held(world, step.memory.forces, a, b)) support(a, b, 0.0);
+        if (continued.gap <= kFlush * size || was_held(world, step.memory.forces, a, b)) support(a, b, 0.0);
       });
 }
 
@@ -185,7 +196,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   Contacts& c = found.contacts;
   const auto& forces = step.memory.forces;
   const SurfaceLaw& material = world.material(m.contact(0), a, b);
-  const bool located = world.method.impacts == ImpactsId::kLocated;
+  const bool located = world.method.impacts == ImpactsId::kLocated && !is_held(a, b);
   // Discs have no other corner that stays; in a jam they would bounce on for ever.
   const bool cornered = !world.shapes().is_disc(a) && !world.shapes().is_disc(b);
   const bool euler_in_time = located && world.method.integrator == IntegratorId::kExplicitEuler &&
@@ -297,7 +308,8 @@ bool ContactFinder::is_hit(BodyIndex a, BodyIndex b) const {
   return std::find(hit_.begin(), hit_.end(), std::pair(a, b)) != hit_.end();
 }
 
-bool ContactFinder::stays_supported(const World& world, BodyIndex a, BodyIndex b) const {
+bool ContactFinder::needs_no_search(const World& world, BodyIndex a, BodyIndex b) const {
+  if (is_held(a, b) && std::binary_search(near_.begin(), near_.end(), std::pair(a, b))) return true;
   const auto pair = std::lower_bound(supported_.begin(), supported_.end(), std::pair(a, b));
   if (pair == supported_.end() || *pair != std::pair(a, b) || is_hit(a, b)) return false;
   const Vec2 u = world.trajectories.at_start(b).segment<2>(3) - world.trajectories.at_start(a).segment<2>(3);

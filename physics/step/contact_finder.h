@@ -44,7 +44,7 @@ struct FoundContacts {
   // m/s, in the contacts' targets: what brings bodies back onto the surfaces that the step's method leaves.
   std::vector<double> returns;
   std::vector<Landing> landings;  // that may happen in this step
-  // Pairs that close too fast to rest, where impacts are not located in time; in rising order.
+  // Pairs that close too fast to rest and whose impacts are not located in time; in rising order.
   std::vector<BodyPair> hits;
 
   void clear();
@@ -70,8 +70,9 @@ class ContactFinder {
   void find(World& world, double step_length, double h, const ContactPressing& pressing,
             const ContactMemory& memory, FoundContacts& found);
 
-  // For another part of a step: none of its contacts is kept yet.
-  void begin_part() { kept_.clear(); }
+  // For another part of a step: none of its contacts is kept yet. Bodies that `held` hold go through it in one,
+  // as where impacts are not located in time: what they would hit within it they hit at its start.
+  void begin_part(const World& world, std::span<const ContactForce> held);
   // From now on in this part a contact that may press, though its bodies are leaving each other there.
   void keep(const Landing& contact) { kept_.push_back(contact); }
 
@@ -84,8 +85,9 @@ class ContactFinder {
   [[nodiscard]] bool supports(BodyIndex a, BodyIndex b) const;
   // Whether the pair is supported at one point and hits at another one, now: too fast to rest there.
   [[nodiscard]] bool is_hit(BodyIndex a, BodyIndex b) const;
-  // Whether a supported pair moves so slowly that any touch in this step rests.
-  [[nodiscard]] bool stays_supported(const World& world, BodyIndex a, BodyIndex b) const;
+  // Whether no impact of the pair in this part is to be searched: it goes through it in one, or is supported
+  // and moves so slowly that any touch rests.
+  [[nodiscard]] bool needs_no_search(const World& world, BodyIndex a, BodyIndex b) const;
 
  private:
   struct Step {
@@ -97,6 +99,10 @@ class ContactFinder {
     FoundContacts& found;
   };
   void support(BodyIndex a, BodyIndex b, double rest);
+  [[nodiscard]] bool is_held(BodyIndex a, BodyIndex b) const {
+    return !held_.empty() &&
+           (held_[static_cast<std::size_t>(a)] != 0 || held_[static_cast<std::size_t>(b)] != 0);
+  }
   [[nodiscard]] bool is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const;
   [[nodiscard]] double turned_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m,
                                    double along_it, double rounding) const;
@@ -110,6 +116,7 @@ class ContactFinder {
   std::vector<BodyPair> near_;
   std::vector<BodyPair> supported_;
   std::vector<Landing> kept_;
+  std::vector<std::uint8_t> held_;      // by body; empty: all are followed in time
   std::vector<BodyPair> hit_;           // see is_hit()
   std::vector<double> supported_rest_;  // m/s, parallel to it: the least rest speed of the pair's points
   std::vector<Pose> poses_;

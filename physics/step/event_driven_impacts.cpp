@@ -32,11 +32,10 @@ constexpr int kMostAtOnce = 10'000;
 constexpr int kImpactsBeforeGuard = 100;
 constexpr int kImpactsBeforeGuardPerBody = 4;
 // Parts into which new supports divide a step; what lands or comes to rest in the last part waits for the next
-// step. Where up to kFew bodies or groups of them move, a part costs little, and boxes rattle from corner to
-// corner.
+// step; where few bodies move, a part costs little, and boxes rattle from corner to corner. What is left of a
+// step after these goes on as where impacts are not located (ContactFinder::begin_part).
 constexpr int kMostParts = 8;
 constexpr int kMostPartsOfFew = 32;
-constexpr int kFew = 16;
 // Of a step: impacts leave no shorter rest as a part of its own. Contacts would close or open gaps of rounding
 // within it, at any speed.
 constexpr double kLeastPart = 1e-6;
@@ -165,9 +164,7 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
   RestingContacts& resting = *step.resting;
-  const auto may_divide = [&](int part) {
-    return part < (trajectories.islands().size() <= kFew ? kMostPartsOfFew : kMostParts);
-  };
+  const auto may_divide = [&](int part) { return part < (moves_few(world) ? kMostPartsOfFew : kMostParts); };
   for (int part = 1;; ++part) {
     const double left = step.h;
     const double supported = resting.supported();

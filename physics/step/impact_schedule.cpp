@@ -131,7 +131,7 @@ void EventDrivenImpacts::search(const Step& step, BodyIndex a, BodyIndex b, doub
   World& world = step.world;
   if (a > b) std::swap(a, b);
   if (!world.can_collide(a, b)) return;
-  if (step.resting != nullptr && step.resting->finder().stays_supported(world, a, b)) return;
+  if (step.resting != nullptr && step.resting->finder().needs_no_search(world, a, b)) return;
   if (world.work.spent()) {
     world.note(&Notices::work_spent_since, world.clock.time, {a, b});
     end_of_step_.add(a, b, false);

@@ -133,7 +133,7 @@ void EventDrivenImpacts::add_unscheduled(const Step& step, const Event& first) {
       return std::minmax(event.a, event.b) == std::minmax(touch.a, touch.b);
     });
     const bool rests =
-        step.resting != nullptr && step.resting->finder().stays_supported(world, touch.a, touch.b);
+        step.resting != nullptr && step.resting->finder().needs_no_search(world, touch.a, touch.b);
     if (!is_known && !rests)
       moment_.push_back({first.time, touch.a, touch.b, stamp_[touch.a], stamp_[touch.b]});
   }

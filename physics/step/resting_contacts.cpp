@@ -44,6 +44,8 @@ constexpr double kMostMotion = 0.1;
 constexpr int kMostEnds = 3;
 constexpr double kAbout = 0.9;
 constexpr double kWhole = 1.0 - 1e-6;
+// Of a step: in a crowd, where something changes its mode nearly always, no shorter part begins and ends so.
+constexpr double kShortest = 1e-3;
 // Rounds in which contacts are kept that would sink in.
 constexpr int kMostSinking = 8;
 // Of the time until a face ends.
@@ -69,8 +71,8 @@ double RestingContacts::rest_speed(const World& world, BodyIndex a, BodyIndex b,
 }
 
 void RestingContacts::begin_step(World& world, double h) {
-  step_length_ = std::max(h, world.method.step);
-  linear_.begin_part(world.clock.time, step_length_);  // a step is found from its start alone
+  whole_step_ = std::max(h, world.method.step);
+  linear_.begin_part(world.clock.time, whole_step_);  // a step is found from its start alone
   world.trajectories.begin(world.clock.time);
 }
 
@@ -83,13 +85,15 @@ void RestingContacts::take_off_forces(World& world) {
 
 void RestingContacts::support(World& world, double h, bool may_divide) {
   may_divide_ = may_divide;
-  finder_.begin_part();
+  finder_.begin_part(world, may_divide ? std::span<const ContactForce>() : memory_.forces);
   support_found(world, h);
   for (int k = 0; may_divide && k < kMostSinking && keep_what_sinks(world); ++k) support_found(world, h);
 }
 
 void RestingContacts::support_found(World& world, double h) {
   take_off_forces(world);
+  const double unit = whole_step_ / kMostParts;
+  step_length_ = may_divide_ ? whole_step_ : std::max(h, unit);
   find_contacts(world, h);
   supported_ = h;
   linear_.begin_part(world.trajectories.epoch(), step_length_);
@@ -101,13 +105,18 @@ void RestingContacts::support_found(World& world, double h) {
       supported_ = end_of_faces(world, supported_);
     }
     if (supported_ < h) find_contacts(world, supported_);
+  } else if (const double part = parts_at_once(world, unit) * unit; part < h - 0.5 * unit) {
+    supported_ = step_length_ = part;
+    find_contacts(world, supported_);
   }
-  double holds = hold(world, supported_, may_divide_ ? 0.0 : supported_);
+  const double shortest = moves_few(world) ? 0.0 : kShortest * whole_step_;
+  double holds = hold(world, supported_, may_divide_ ? std::min(shortest, supported_) : supported_);
   for (int round = 1; may_divide_ && round <= kMostEnds && holds < kWhole * supported_; ++round) {
     supported_ = holds;
     take_off_forces(world);
     find_contacts(world, supported_);
-    holds = hold(world, supported_, round < kMostEnds ? 0.0 : kAbout * supported_);
+    holds = hold(world, supported_,
+                 round < kMostEnds ? std::min(shortest, kAbout * supported_) : kAbout * supported_);
   }
 }
 
@@ -230,7 +239,7 @@ double RestingContacts::hold(World& world, double h, double least) {
   stop_approaches(world, h);
   find_forces(world, h);
   const double holds = improve_forces(world, h, least);
-  remember_forces(h);
+  remember_forces(world, h);
   pressing_.update(world, memory_);
   return holds;
 }

@@ -18,6 +18,9 @@
 
 namespace carom {
 
+// Whether up to so many bodies, or groups of them, move that a step may be divided often.
+[[nodiscard]] inline bool moves_few(const World& world) { return world.trajectories.islands().size() <= 16; }
+
 struct LandingTime {
   Landing landing;
   double time = 0.0;  // s after the epoch
@@ -98,7 +101,7 @@ class RestingContacts {
   double improve_forces(World& world, double h, double least);
   [[nodiscard]] std::optional<Approach> rebound(const World& world, BodyIndex a, BodyIndex b,
                                                 const ShapePair& parts) const;
-  void remember_forces(double h);
+  void remember_forces(const World& world, double h);
   ContactSolverReport solve_flight(World& world, double h, const ContactSolverOptions& options);
   ContactSolverReport solve(const World& world, const Eigen::Matrix3Xd& from,
                             const ContactSolverOptions& options);
@@ -114,13 +117,15 @@ class RestingContacts {
   void read_velocities(const World& world);
 
   double supported_ = 0.0;    // s
-  double step_length_ = 0.0;  // s: the method's step, or the step under way if that is longer
+  double whole_step_ = 0.0;   // s: the method's step, or the step under way if that is longer
+  double step_length_ = 0.0;  // s: that, or of the part under way
   ContactMemory memory_;
   bool may_divide_ = false;
   ContactPressing pressing_;
   ContactFinder finder_;
   FoundContacts found_;
-  Contacts at_start_;  // as found
+  Contacts at_start_;                            // as found
+  std::vector<Eigen::Vector3d> support_before_;  // N, N and N m, likewise
   GuessedFlight flight_;
   Eigen::Matrix3Xd before_, after_, free_;  // velocities, m/s and rad/s
   Eigen::Matrix3Xd moved_;                  // m, rad; or per s

@@ -259,6 +259,7 @@ bool RestingContacts::is_unsolved(const ContactSolverReport& report) const {
 void RestingContacts::find_forces(World& world, double h) {
   Contacts& c = found_.contacts;
   at_start_ = c;
+  support_before_ = found_.guess;
   const ContactSolverOptions options = solver_options();
   ContactSolverReport report;
   const int most = most_guesses(c.size());
@@ -303,8 +304,10 @@ double RestingContacts::improve_forces(World& world, double h, double least) {
   return std::min(holds, rolling_ends(world, found_.contacts, before_, after_, h, options.slip_speed));
 }
 
-void RestingContacts::remember_forces(double h) {
+void RestingContacts::remember_forces(const World& world, double h) {
   const Contacts& c = found_.contacts;
+  // In a crowd what acts for a short time supports little: it may be stopping what closes.
+  const std::vector<Eigen::Vector3d>& supports = moves_few(world) ? found_.guess : support_before_;
   for (int i = 0; i < c.size(); ++i) {
     const Eigen::Vector3d by =
         Eigen::Vector3d(c.normal_impulse[i], c.tangential_impulse[i], c.rolling_impulse[i]) / h;
@@ -314,8 +317,8 @@ void RestingContacts::remember_forces(double h) {
     f.tangential_force += by[1];
     f.rolling_moment += by[2];
     f.sticks = c.sticks[i] != 0;
-    const Eigen::Vector3d& guess = found_.guess[static_cast<std::size_t>(i)];
-    memory_.support.push_back(guess + h / step_length_ * (by - guess));
+    const Eigen::Vector3d& before = supports[static_cast<std::size_t>(i)];
+    memory_.support.push_back(before + h / step_length_ * (by - before));
   }
 }
 

@@ -314,8 +314,9 @@ TEST(CompoundBodies, ACrowdStaysInItsBox) {
   std::vector<Body> bodies = test::room(6.0, 1.0);
   const std::vector<Shape> shapes = several();
   for (int i = 0; i < 300; ++i) {
+    const int row = i / 17;
     Body b = shaped(fmt::format("b{}", i), shapes[static_cast<std::size_t>(i) % shapes.size()],
-                    {-5.4 + 0.68 * (i % 17), -5.4 + 0.62 * (i / 17)}, draws.angle());
+                    {-5.4 + 0.68 * (i % 17), -5.4 + 0.62 * row}, draws.angle());
     b.velocity = draws.in_square(0.5);
     bodies.push_back(b);
   }
