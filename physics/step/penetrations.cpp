@@ -89,6 +89,20 @@ bool has_met(const Approach& at, double h, double tolerance) {
   return at.speed < 0.0 && at.contact.gap < std::min(kSameMoment * h * at.speed, -tolerance);
 }
 
+// Whether two discs are apart, or move apart: what most pairs that are near each other do.
+bool are_discs_that_miss(const World& world, BodyIndex a, BodyIndex b) {
+  const Geometry& g = world.shapes();
+  if (!g.is_disc(a) || !g.is_disc(b)) return false;
+  const auto ya = world.trajectories.at_start(a);
+  const auto yb = world.trajectories.at_start(b);
+  const Vec2 d = yb.head<2>() - ya.head<2>();
+  const auto [part_a, part_b] = g.first_parts(a, b);
+  const double touch = g.shapes.rounding[part_a] + g.shapes.rounding[part_b];
+  const double distance = d.squaredNorm();
+  const Vec2 u = yb.segment<2>(3) - ya.segment<2>(3);
+  return distance >= touch * touch || (distance > 0.0 && d.dot(u) >= 0.0);
+}
+
 // Whether two parts close faster than gravity presses bodies together in a few steps.
 bool is_true_impact(const World& world, BodyIndex a, BodyIndex b, const Contact& contact, double h) {
   double least = kFewSteps * h * world.model->forces.gravity.norm();  // m/s
@@ -114,7 +128,8 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighb
   const auto is_struck = [&](BodyIndex body) { return (*struck)[static_cast<std::size_t>(body)]; };
   for (const auto& [a, b, resting] : pairs) {
     if (struck != nullptr && !is_struck(a) && !is_struck(b)) continue;
-    if (resting || !world.can_collide(a, b) || !may_be_several(a, b)) continue;
+    if (resting || !world.can_collide(a, b) || !may_be_several(a, b) || are_discs_that_miss(world, a, b))
+      continue;
     world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
       const Approach at = overlap_of(world, a, b, {part_a, part_b}, neighbours);
       if (has_met(at, h, touch_tolerance(world, a, b)) &&

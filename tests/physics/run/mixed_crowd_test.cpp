@@ -39,7 +39,8 @@ RunSetup crowd(int n, std::uint64_t seed) {
     if (i % 4 == 0) b.shape = Disc{0.25};
     if (i % 4 == 1) b.shape = Box{0.5, 0.5};
     b.density = 1.0;
-    b.position = kSpacing * Vec2(i % columns + 0.5, i / columns + 0.5);
+    const int row = i / columns;
+    b.position = kSpacing * Vec2(i % columns + 0.5, row + 0.5);
     b.angle = draw.angle();
     const double speed = draw.between(0.0, 1.0);
     b.velocity = speed * draw.direction();
