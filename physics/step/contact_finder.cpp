@@ -26,6 +26,8 @@ constexpr int kPushes = 2;
 constexpr double kSamePlace = 0.02;
 constexpr double kSameNormal = 0.95;
 constexpr int kFirstCapacity = 64;  // for contacts
+// Of the smaller body's size, in a part of a step: what moves farther against another one meets it in time.
+constexpr double kMostPassing = 0.2;
 
 // m: radius of the disc that would roll on a plane as these two parts roll on each other; 0 if neither is a
 // disc.
@@ -86,6 +88,22 @@ bool was_held(const World& world, const std::vector<ContactForce>& forces, BodyI
   });
 }
 
+// m/s: no point of the one passes the other one faster.
+double most_speed(const World& world, BodyIndex a, BodyIndex b) {
+  const Vec2 u = world.trajectories.at_start(b).segment<2>(3) - world.trajectories.at_start(a).segment<2>(3);
+  double speed = u.norm();
+  for (const BodyIndex i : {a, b}) {
+    const double spin = world.trajectories.at_start(i)[5];
+    if (spin != 0.0) speed += std::abs(spin) * world.shapes().core_reach[i];
+  }
+  return speed;
+}
+
+// Whether two bodies move so far against each other within h s that they may come past each other.
+bool is_fast(const World& world, BodyIndex a, BodyIndex b, double h) {
+  return most_speed(world, a, b) * h > kMostPassing * smaller_size(world, a, b);
+}
+
 }  // namespace
 
 void FoundContacts::clear() {
@@ -100,13 +118,13 @@ void FoundContacts::clear() {
   hits.clear();
 }
 
-void ContactFinder::begin_part(const World& world, std::span<const ContactForce> held) {
+void ContactFinder::begin_part(const World& world, std::span<const ContactForce> forces) {
   kept_.clear();
-  held_.assign(held.empty() ? 0 : static_cast<std::size_t>(world.bodies()), 0);
-  for (const ContactForce& f : held) {
+  presses_.assign(forces.empty() ? 0 : static_cast<std::size_t>(world.bodies()), 0);
+  for (const ContactForce& f : forces) {
     if (!(f.normal_force > 0.0)) continue;
     for (const BodyIndex body : {f.a, f.b}) {
-      if (!world.infinite_mass(body)) held_[static_cast<std::size_t>(body)] = 1;
+      if (!world.infinite_mass(body)) presses_[static_cast<std::size_t>(body)] = 1;
     }
   }
 }
@@ -121,7 +139,7 @@ void ContactFinder::find(World& world, double step_length, double h, const Conta
     const Eigen::Vector3d q = world.trajectories.at_start(i).head<3>();
     const Eigen::Vector3d v = world.trajectories.at_start(i).segment<3>(3);
     const double turning = v[2] != 0.0 ? std::abs(v[2]) * shapes.core_reach[i] : 0.0;
-    // Part of a step looks as far as a whole step, so that no contact is forgotten.
+    // A part that impacts divide looks as far as a whole step, so that no contact is forgotten.
     reach_[i] =
         (v.head<2>().norm() + turning) * step_length + pressing.acceleration(i) * step_length * step_length;
     poses_[i] = shapes.pose(i, q);
@@ -132,6 +150,8 @@ void ContactFinder::find(World& world, double step_length, double h, const Conta
   supported_.clear();
   supported_rest_.clear();
   hit_.clear();
+  kept_apart_.clear();
+  part_ = h;
   const Step step{world, step_length, h, pressing, memory, found};
   const auto& forces = memory.forces;
   std::size_t last = 0;
@@ -196,7 +216,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   Contacts& c = found.contacts;
   const auto& forces = step.memory.forces;
   const SurfaceLaw& material = world.material(m.contact(0), a, b);
-  const bool located = world.method.impacts == ImpactsId::kLocated && !is_held(a, b);
+  const bool located = is_located(world, a, b, material);
   // Discs have no other corner that stays; in a jam they would bounce on for ever.
   const bool cornered = !world.shapes().is_disc(a) && !world.shapes().is_disc(b);
   const bool euler_in_time = located && world.method.integrator == IntegratorId::kExplicitEuler &&
@@ -267,6 +287,8 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     found.point.push_back(at.point);
     found.press.push_back(press);
     if (slow) support(a, b, rest);
+    if (!located && (kept_apart_.empty() || kept_apart_.back() != std::pair(a, b)))
+      kept_apart_.emplace_back(a, b);
   }
   if (hits_now && !supported_.empty() && supported_.back() == std::pair(a, b))
     hit_.push_back(supported_.back());
@@ -308,17 +330,22 @@ bool ContactFinder::is_hit(BodyIndex a, BodyIndex b) const {
   return std::find(hit_.begin(), hit_.end(), std::pair(a, b)) != hit_.end();
 }
 
+// Bodies that stick do so where they meet.
+bool ContactFinder::is_located(const World& world, BodyIndex a, BodyIndex b, const SurfaceLaw& law) const {
+  if (world.method.impacts != ImpactsId::kLocated) return false;
+  const auto presses = [&](BodyIndex i) {
+    return !presses_.empty() && presses_[static_cast<std::size_t>(i)] != 0;
+  };
+  return (!presses(a) && !presses(b)) || law.sticks || is_fast(world, a, b, part_);
+}
+
 bool ContactFinder::needs_no_search(const World& world, BodyIndex a, BodyIndex b) const {
-  if (is_held(a, b) && std::binary_search(near_.begin(), near_.end(), std::pair(a, b))) return true;
+  if (std::binary_search(kept_apart_.begin(), kept_apart_.end(), std::pair(a, b)) &&
+      !is_fast(world, a, b, part_))
+    return true;
   const auto pair = std::lower_bound(supported_.begin(), supported_.end(), std::pair(a, b));
   if (pair == supported_.end() || *pair != std::pair(a, b) || is_hit(a, b)) return false;
-  const Vec2 u = world.trajectories.at_start(b).segment<2>(3) - world.trajectories.at_start(a).segment<2>(3);
-  double speed = u.norm();
-  for (const BodyIndex i : {a, b}) {
-    const double spin = world.trajectories.at_start(i)[5];
-    if (spin != 0.0) speed += std::abs(spin) * world.shapes().core_reach[i];
-  }
-  return speed <= supported_rest_[static_cast<std::size_t>(pair - supported_.begin())];
+  return most_speed(world, a, b) <= supported_rest_[static_cast<std::size_t>(pair - supported_.begin())];
 }
 
 }  // namespace carom

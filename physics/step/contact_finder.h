@@ -70,9 +70,10 @@ class ContactFinder {
   void find(World& world, double step_length, double h, const ContactPressing& pressing,
             const ContactMemory& memory, FoundContacts& found);
 
-  // For another part of a step: none of its contacts is kept yet. Bodies that `held` hold go through it in one,
-  // as where impacts are not located in time: what they would hit within it they hit at its start.
-  void begin_part(const World& world, std::span<const ContactForce> held);
+  // For another part of a step: none of its contacts is kept yet. Impacts of bodies that press on others by
+  // these forces are not located in it, unless they are fast: what would meet within the part meets at its
+  // start.
+  void begin_part(const World& world, std::span<const ContactForce> forces);
   // From now on in this part a contact that may press, though its bodies are leaving each other there.
   void keep(const Landing& contact) { kept_.push_back(contact); }
 
@@ -85,8 +86,8 @@ class ContactFinder {
   [[nodiscard]] bool supports(BodyIndex a, BodyIndex b) const;
   // Whether the pair is supported at one point and hits at another one, now: too fast to rest there.
   [[nodiscard]] bool is_hit(BodyIndex a, BodyIndex b) const;
-  // Whether no impact of the pair in this part is to be searched: it goes through it in one, or is supported
-  // and moves so slowly that any touch rests.
+  // Whether no impact of the pair in this part is to be searched, at the velocities of now: contacts keep it
+  // apart until the part ends, or it is supported and moves so slowly that any touch rests.
   [[nodiscard]] bool needs_no_search(const World& world, BodyIndex a, BodyIndex b) const;
 
  private:
@@ -99,10 +100,7 @@ class ContactFinder {
     FoundContacts& found;
   };
   void support(BodyIndex a, BodyIndex b, double rest);
-  [[nodiscard]] bool is_held(BodyIndex a, BodyIndex b) const {
-    return !held_.empty() &&
-           (held_[static_cast<std::size_t>(a)] != 0 || held_[static_cast<std::size_t>(b)] != 0);
-  }
+  [[nodiscard]] bool is_located(const World& world, BodyIndex a, BodyIndex b, const SurfaceLaw& law) const;
   [[nodiscard]] bool is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const;
   [[nodiscard]] double turned_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m,
                                    double along_it, double rounding) const;
@@ -116,7 +114,9 @@ class ContactFinder {
   std::vector<BodyPair> near_;
   std::vector<BodyPair> supported_;
   std::vector<Landing> kept_;
-  std::vector<std::uint8_t> held_;      // by body; empty: all are followed in time
+  std::vector<std::uint8_t> presses_;   // by body; empty: all impacts are located
+  double part_ = 0.0;                   // s, of the step
+  std::vector<BodyPair> kept_apart_;    // by contacts, until the part ends; in rising order
   std::vector<BodyPair> hit_;           // see is_hit()
   std::vector<double> supported_rest_;  // m/s, parallel to it: the least rest speed of the pair's points
   std::vector<Pose> poses_;

@@ -158,13 +158,15 @@ void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
 }
 
 // A step with resting contacts. A body that comes to rest on a support is supported from that moment on, and
-// one that runs off a face no more: the step is divided there, up to kMostParts times. Returns the length in s
-// of the last part, from the epoch on.
+// one that runs off a face no more: the step is divided there, into up to kMostParts or kMostPartsOfFew parts,
+// and what is left of it into as few as contacts can be trusted in. Returns the length in s of the last part,
+// from the epoch on.
 double EventDrivenImpacts::process_with_supports(Step& step) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
   RestingContacts& resting = *step.resting;
-  const auto may_divide = [&](int part) { return part < (moves_few(world) ? kMostPartsOfFew : kMostParts); };
+  const int most = moves_few(world) ? kMostPartsOfFew : kMostParts;
+  const auto may_divide = [most](int part) { return part < most; };
   for (int part = 1;; ++part) {
     const double left = step.h;
     const double supported = resting.supported();

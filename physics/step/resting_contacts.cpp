@@ -96,7 +96,7 @@ void RestingContacts::support_found(World& world, double h) {
   step_length_ = may_divide_ ? whole_step_ : std::max(h, unit);
   find_contacts(world, h);
   supported_ = h;
-  linear_.begin_part(world.trajectories.epoch(), step_length_);
+  linear_.begin_part(world.trajectories.epoch(), whole_step_);
   if (may_divide_) {
     supported_ = first_break(world, found_.contacts, h);
     find_touches_near_ends(world, found_, finder_.neighbours(), supported_, near_ends_);
@@ -109,7 +109,7 @@ void RestingContacts::support_found(World& world, double h) {
     supported_ = step_length_ = part;
     find_contacts(world, supported_);
   }
-  const double shortest = moves_few(world) ? 0.0 : kShortest * whole_step_;
+  const double shortest = shortest_part(world);
   double holds = hold(world, supported_, may_divide_ ? std::min(shortest, supported_) : supported_);
   for (int round = 1; may_divide_ && round <= kMostEnds && holds < kWhole * supported_; ++round) {
     supported_ = holds;
@@ -118,6 +118,11 @@ void RestingContacts::support_found(World& world, double h) {
     holds = hold(world, supported_,
                  round < kMostEnds ? std::min(shortest, kAbout * supported_) : kAbout * supported_);
   }
+}
+
+// s: no mode divides a shorter one.
+double RestingContacts::shortest_part(const World& world) const {
+  return moves_few(world) ? 0.0 : kShortest * whole_step_;
 }
 
 // A contact that was leaving is one that presses, if the forces on the others bring it back at once.
@@ -143,7 +148,7 @@ double RestingContacts::end_of_faces(World& world, double h) {
   take_off_forces(world);
   if (!(end < h)) return h;
   find_contacts(world, kShortly * end);
-  const double holds = hold(world, kShortly * end, 0.0);
+  const double holds = hold(world, kShortly * end, std::min(shortest_part(world), kShortly * end));
   if (holds < kWhole * kShortly * end) {
     end = holds;
   } else {

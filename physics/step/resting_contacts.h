@@ -49,7 +49,7 @@ class RestingContacts {
   void begin_step(World& world, double h);
   // Supports bodies for h s from the trajectories' epoch on; with may_divide for less, where before that a disc
   // or corner runs off the end of a face (face_ends.h), a contact changes its mode (gauss_contacts.h) or a
-  // force its law. The state must be published.
+  // force its law. Without it, as support_part() does. The state must be published.
   void support(World& world, double h, bool may_divide);
   // s: for how long support() was.
   [[nodiscard]] double supported() const { return supported_; }
@@ -92,6 +92,7 @@ class RestingContacts {
   void find_contacts(World& world, double h);
   bool keep_what_sinks(const World& world);
   double end_of_faces(World& world, double h);
+  [[nodiscard]] double shortest_part(const World& world) const;
   double hold(World& world, double h, double least);
   [[nodiscard]] int parts_at_once(const World& world, double h);
   void project_penetrations(World& world);

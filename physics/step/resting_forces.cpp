@@ -301,7 +301,8 @@ double RestingContacts::improve_forces(World& world, double h, double least) {
                                        workspace_.islands, least, found_);
   // In a pile something stops rolling nearly always: to follow it costs more than it is worth.
   if (found_.contacts.size() > kFewContacts) return holds;
-  return std::min(holds, rolling_ends(world, found_.contacts, before_, after_, h, options.slip_speed));
+  const double rolls = rolling_ends(world, found_.contacts, before_, after_, h, options.slip_speed);
+  return rolls < least ? holds : std::min(holds, rolls);
 }
 
 void RestingContacts::remember_forces(const World& world, double h) {
