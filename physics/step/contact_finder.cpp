@@ -39,8 +39,10 @@ double rolling_radius(const ConvexShapes& shapes, const ShapePair& parts) {
   return curvature > 0.0 ? 1.0 / curvature : 0.0;
 }
 
-void set_place(Contacts& c, int i, const Vec2& normal, const ManifoldPoint& at, const Vec2& of_a,
-               const Vec2& of_b) {
+void set_place(Contacts& c, int i, const BodyPair& pair, const Vec2& normal, const ManifoldPoint& at,
+               const Vec2& of_a, const Vec2& of_b) {
+  c.a[i] = pair.first;
+  c.b[i] = pair.second;
   c.normal[i] = normal;
   c.arm_a[i] = at.point - of_a;
   c.arm_b[i] = at.point - of_b;
@@ -229,9 +231,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const ManifoldPoint& at = m.points[k];
     const int i = static_cast<int>(found.id.size());
     if (i == c.size()) c.resize(std::max(kFirstCapacity, 2 * i));
-    c.a[i] = a;
-    c.b[i] = b;
-    set_place(c, i, m.normal, at, poses_[a].position, poses_[b].position);
+    set_place(c, i, {a, b}, m.normal, at, poses_[a].position, poses_[b].position);
     const RowVelocity u = contact_velocity(c, i, world.state.v);
     const double closing = -u.normal;
     const double press = step.pressing.between(world, step.memory, a, b, at.point, m.normal);
@@ -287,8 +287,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     found.point.push_back(at.point);
     found.press.push_back(press);
     if (slow) support(a, b, rest);
-    if (!located && (kept_apart_.empty() || kept_apart_.back() != std::pair(a, b)))
-      kept_apart_.emplace_back(a, b);
+    if (!located) keep_apart(a, b);
   }
   if (hits_now && !supported_.empty() && supported_.back() == std::pair(a, b))
     hit_.push_back(supported_.back());
@@ -307,6 +306,10 @@ double ContactFinder::turned_away(const Step& step, BodyIndex a, BodyIndex b, co
   now.parts = m.parts;
   const double gap = contact_again(shapes, a, straight_on(a), b, straight_on(b), now).gap;
   return gap - along_it > rounding ? gap - along_it : 0.0;
+}
+
+void ContactFinder::keep_apart(BodyIndex a, BodyIndex b) {
+  if (kept_apart_.empty() || kept_apart_.back() != std::pair(a, b)) kept_apart_.emplace_back(a, b);
 }
 
 void ContactFinder::support(BodyIndex a, BodyIndex b, double rest) {

@@ -100,6 +100,7 @@ class ContactFinder {
     FoundContacts& found;
   };
   void support(BodyIndex a, BodyIndex b, double rest);
+  void keep_apart(BodyIndex a, BodyIndex b);
   [[nodiscard]] bool is_located(const World& world, BodyIndex a, BodyIndex b, const SurfaceLaw& law) const;
   [[nodiscard]] bool is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const;
   [[nodiscard]] double turned_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m,
