@@ -172,14 +172,17 @@ bool GaussIsland::is_continued(const GaussStep& step) const {
 // than `left` of the smaller body.
 double GaussIsland::off(const GaussStep& step, double left) const {
   double most = 0.0;
+  const auto add = [&most](double part) {
+    if (!(part <= most)) most = part;  // or NaN
+  };
   for (const GaussContact& c : closed_) {
     if (!c.presses) continue;
-    const double gap =
-        std::max(std::abs(c.end.gap - c.stays_open) - left * smaller_size(step.world, c.a, c.b), 0.0);
-    most = std::max(
-        {most, std::abs(c.end.parting) / step.tolerance, gap / closed_within(step, c.a, c.b, c.at[0].point)});
-    if (c.sticks)
-      most = std::max({most, std::abs(c.end.slip) / step.tolerance, std::abs(c.halfway.slip) / step.tolerance});
+    const double gap = std::abs(c.end.gap - c.stays_open) - left * smaller_size(step.world, c.a, c.b);
+    add(gap / closed_within(step, c.a, c.b, c.at[0].point));
+    add(std::abs(c.end.parting) / step.tolerance);
+    if (!c.sticks) continue;
+    add(std::abs(c.end.slip) / step.tolerance);
+    add(std::abs(c.halfway.slip) / step.tolerance);
   }
   return most;
 }

@@ -149,6 +149,27 @@ TEST(MixedCrowd, WhatRattlesIsNeitherLiftedNorMakesEnergy) {
   }
 }
 
+// Where sixteen of them block each other, linear contact forces that would meet everything grow beyond all
+// bounds at 0.673 s: there the constant ones stay.
+TEST(MixedCrowd, IsNotLostWhereItsContactForcesHaveNoSolution) {
+  test::Draws draws(6);
+  std::vector<Body> bodies = test::room(2.0, 1.0);
+  for (int i = 0; i < 16; ++i) {
+    const Vec2 place(-1.6 + 0.55 * (i % 6), -1.6 + 0.55 * (i / 6));  // NOLINT(bugprone-integer-division): rows
+    Body b = test::disc("body-" + std::to_string(i), place, draws.in_square(0.5), 0.2);
+    const double kind = draws.between(0.0, 1.0);
+    if (kind > 0.33) {
+      b.shape = Box{draws.between(0.2, 0.5), draws.between(0.2, 0.35)};
+      b.angle = draws.angle();
+    }
+    bodies.push_back(b);
+  }
+  Simulation run(rattling(bodies, 0.0, 0.1 + 0.2 * 2));
+  run.advance_to(1.0);
+  EXPECT_GE(run.time(), 1.0) << run.status();
+  EXPECT_LE(run.state().v.cwiseAbs().maxCoeff(), 10.0);
+}
+
 // Beside such a pile twenty slow discs of 1 cm, each hit by another one at 40 m/s, over a plate of 2 mm that
 // lies on two posts. What is left of a step after its parts loses few of them: 4 of 960, as measured.
 TEST(MixedCrowd, WhatIsFastBesideItMeetsAThinPlate) {
