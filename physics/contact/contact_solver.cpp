@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "physics/contact/contact_velocity.h"
 #include "physics/model/coulomb_friction.h"
 #include "physics/model/mass.h"
 
@@ -200,7 +201,9 @@ Solved solve_exactly(const ContactSolverOptions& options, std::span<ContactRow> 
   Solved solved{swept, swept.residual, !(swept.residual <= options.tolerance)};
   if (solved.missed && exact) {
     apply_all(rows, w.bodies);
-    const NewtonResult newton = w.newton.run(rows, w.bodies, {options.tolerance, options.max_newton, most});
+    NewtonOptions newton_options{options.tolerance, options.max_newton, most};
+    if (static_cast<int>(rows.size()) > w.most_exact) newton_options.max_sweeps = options.slow_newton_sweeps;
+    const NewtonResult newton = w.newton.run(rows, w.bodies, newton_options);
     solved.left = newton.residual;
     solved.missed = !newton.settled;
     ++report.newton_islands;
@@ -233,6 +236,18 @@ Solved solve_large(const ContactSolverOptions& options, int island, ContactWorks
   return {swept, swept.residual, !(swept.residual <= tolerance)};
 }
 
+bool is_exact(const ExactIslands& exact, const Contacts& contacts, std::span<const int> island) {
+  const int size = static_cast<int>(island.size());
+  if (size <= exact.most) return true;
+  if (size > exact.most_slow || exact.motion == nullptr) return false;
+  double squares = 0.0;
+  for (const int c : island) {
+    const RowVelocity u = contact_velocity(contacts, c, *exact.motion);
+    squares += u.normal * u.normal + u.tangential * u.tangential;
+  }
+  return squares <= size * exact.slow_speed * exact.slow_speed;
+}
+
 ContactSolverReport solve_islands(const ContactSolverOptions& options, ContactWorkspace& w) {
   ContactSolverReport report;
   report.islands = w.islands.size();
@@ -249,8 +264,10 @@ ContactSolverReport solve_islands(const ContactSolverOptions& options, ContactWo
 
 }  // namespace
 
-void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int most_exact,
+void prepare_contacts(const MassProperties& mass, const Contacts& contacts, const ExactIslands& exact,
                       ContactWorkspace& w) {
+  w.most_exact = exact.most;
+  w.slow_islands = 0;
   find_islands(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, w.islands);
   clear_blocks(static_cast<int>(mass.inverse_mass.size()), w.large_islands);
   w.rows.resize(w.islands.contacts.size());
@@ -261,7 +278,7 @@ void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int 
   for (int i = 0; i < w.islands.size(); ++i) {
     const std::span<const int> of_island = w.islands.of(i);
     const int first = w.first_block.back();
-    if (static_cast<int>(of_island.size()) > most_exact) {
+    if (!is_exact(exact, contacts, of_island)) {
       add_blocks(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, of_island, w.large_islands);
       each_lane(w.large_islands, first, static_cast<int>(w.large_islands.blocks.size()),
                 [&](int c, ContactBlock& block, std::size_t lane) {
@@ -276,6 +293,7 @@ void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int 
                   set_geometry(row, body(row.a), body(row.b), lane, block);
                 });
     } else {
+      w.slow_islands += static_cast<int>(of_island.size()) > exact.most ? 1 : 0;
       ContactRow* row = w.rows.data() + w.islands.first[i];
       for (const int c : of_island) w.moves[c] = set_geometry(contacts, c, mass, *row++);
     }
@@ -319,7 +337,7 @@ ContactSolverReport solve_prepared(const MassProperties& mass, Contacts& contact
 
 ContactSolverReport solve_contacts(const MassProperties& mass, Contacts& contacts, Eigen::Matrix3Xd& v,
                                    const ContactSolverOptions& options, ContactWorkspace& workspace) {
-  prepare_contacts(mass, contacts, options.most_exact, workspace);
+  prepare_contacts(mass, contacts, {.most = options.most_exact}, workspace);
   return solve_prepared(mass, contacts, v, options, workspace);
 }
 
@@ -336,7 +354,7 @@ ContactSolverReport project_prepared(const MassProperties& mass, const Contacts&
 ContactSolverReport project_penetrations(const MassProperties& mass, const Contacts& contacts, double fraction,
                                          Eigen::Matrix3Xd& dq, const ContactSolverOptions& options,
                                          ContactWorkspace& workspace) {
-  prepare_contacts(mass, contacts, options.most_exact, workspace);
+  prepare_contacts(mass, contacts, {.most = options.most_exact}, workspace);
   return project_prepared(mass, contacts, fraction, dq, options, workspace);
 }
 

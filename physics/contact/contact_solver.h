@@ -22,6 +22,7 @@ struct ContactSolverOptions {
   // The most contacts of an ordinary island, if the call prepares the contacts itself. A larger island is
   // solved in blocks, without semismooth Newton, and has its own budget and tolerance:
   int most_exact = 1 << 30;
+  int slow_newton_sweeps = 64;  // of a larger island that is solved exactly as it is slow
   int large_sweeps = 64;
   int large_contact_sweeps = 0;   // more sweeps while contacts times sweeps stay below this
   double large_tolerance = 1e-9;  // m/s
@@ -45,6 +46,15 @@ struct ContactSolverReport {
   double residual = 0.0;  // the largest of any island, m/s (m for a projection); see residual()
 };
 
+// Which islands are solved exactly: those of up to `most` contacts, and slow ones of up to `most_slow`: where
+// the rms velocity of the contacts in `motion` (3×N) is at most slow_speed.
+struct ExactIslands {
+  int most = 1 << 30;
+  int most_slow = 0;
+  double slow_speed = 0.0;                   // m/s
+  const Eigen::Matrix3Xd* motion = nullptr;  // none: no island is slow
+};
+
 // Buffers that solves reuse; it may be copied. `islands` are those of the contacts that were prepared last.
 struct ContactWorkspace {
   Islands islands;
@@ -55,13 +65,15 @@ struct ContactWorkspace {
   std::vector<int> first_block;  // island i has the blocks first_block[i] .. first_block[i + 1] - 1
   std::vector<int> first_body;   // and large_islands.bodies[first_body[i]] .. [first_body[i + 1] - 1]
   std::vector<BlockLaw> law;     // by island
+  int most_exact = 0;            // contacts of an island that is solved exactly at any speed
+  int slow_islands = 0;          // larger ones that are solved exactly as well
   std::vector<SolverBody> bodies;
   SemismoothNewton newton;
 };
 
 // Prepares what several solves share: which bodies touch, normals and arms, masses, and which islands are
-// large: those of more than most_exact contacts. Allocates nothing once the workspace has held as much.
-void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int most_exact,
+// large: those that are not solved exactly. Allocates nothing once the workspace has held as much.
+void prepare_contacts(const MassProperties& mass, const Contacts& contacts, const ExactIslands& exact,
                       ContactWorkspace& workspace);
 
 // Solves the contacts of one (sub-)step for the bodies' velocities v (3×N: x and y in m/s, spin in rad/s), to

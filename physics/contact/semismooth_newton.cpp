@@ -262,6 +262,7 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
   stiffness_ = kFirstStiffness;
   int left = options.max_iterations;
   int sweeps = kFirstSweeps;
+  int sweeps_left = options.max_sweeps;
   int worse = 0;
   int polished = 0;
   int overshoots = 0;
@@ -285,6 +286,8 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
       if (found) put_best();
       worse = 0;
       stiffness_ = std::max(kLeastStiffness, stiffness_ / kSofter);
+      if (sweeps > sweeps_left) break;
+      sweeps_left -= sweeps;
       for (int i = 0; i < sweeps; ++i) sweep(rows, bodies, i % 2 == 1);
       sweeps = std::min(2 * sweeps, kMostSweeps);
       apply_all(rows, bodies);

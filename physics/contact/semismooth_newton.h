@@ -17,6 +17,8 @@ struct NewtonOptions {
   double tolerance = 0.0;                                         // of the residual, m/s
   int max_iterations = 60;                                        // linear systems
   double most_impulse = std::numeric_limits<double>::infinity();  // N s: of a contact
+  // Sweeps after failed steps: where one would need more, the best impulses so far are the answer.
+  int max_sweeps = std::numeric_limits<int>::max();
 };
 
 struct NewtonResult {

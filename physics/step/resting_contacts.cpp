@@ -22,10 +22,13 @@ constexpr double kShallow = 0.5;
 // Relative to the size: a smaller penetration is rounding, and one beyond kDeep is removed in several steps.
 constexpr double kPenetration = 1e-12;
 constexpr double kDeep = 0.05;
-// Number of contacts up to which an island is solved exactly. A larger island has the tolerance kLargeMotion of
-// its speeds, at most kLargeSolved of the change of a speed by forces in a step: as it comes to rest its
-// solution improves, each step starting from the forces of the one before.
+// Number of contacts up to which an island is solved exactly, always or where its contacts move by at most
+// kSlow of the change of a speed by forces in a step. A larger island has the tolerance kLargeMotion of
+// its speeds, at most kLargeSolved of that change: as it comes to rest its solution improves, each step
+// starting from the forces of the one before.
 constexpr int kMostExact = 64;
+constexpr int kMostExactSlow = 400;
+constexpr double kSlow = 0.01;
 constexpr double kLargeMotion = 0.1;
 constexpr double kLargeSolved = 1e-2;
 constexpr double kLargeRest = 1e-9;
@@ -255,8 +258,13 @@ void RestingContacts::read_velocities(const World& world) {
 }
 
 void RestingContacts::prepare(const World& world) {
-  prepare_contacts(world.mass(), found_.contacts, kMostExact, workspace_);
+  prepare_contacts(world.mass(), found_.contacts,
+                   {kMostExact, kMostExactSlow, kSlow * pressing_.change_by_forces(), &before_}, workspace_);
   prepared_ = true;
+}
+
+void RestingContacts::prepare_in_blocks(const World& world) {
+  prepare_contacts(world.mass(), found_.contacts, {.most = kMostExact}, workspace_);
 }
 
 ContactSolverOptions RestingContacts::solver_options() const {

@@ -62,7 +62,7 @@ TEST(ContactBlocks, HoldEachContactOnceAndAMovableBodyOnceABlock) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const test::ContactScene s = network(seed, BlockLaw::kRolling);
     ContactWorkspace w;
-    prepare_contacts(s.mass, s.contacts, 0, w);
+    prepare_contacts(s.mass, s.contacts, {.most = 0}, w);
     std::multiset<int> held;
     ASSERT_EQ(w.large_islands.blocks.size(), w.large_islands.contacts.size());
     for (const Lanes<int>& lanes : w.large_islands.contacts) {
@@ -90,7 +90,7 @@ TEST(ContactBlocks, AreFilledWellInALattice) {
     if (i + kSide < kSide * kSide) s.contact(i, i + kSide, s.position[i] + Vec2(0.0, 0.5), {0.0, 1.0}, 0.5);
   }
   ContactWorkspace w;
-  prepare_contacts(s.mass, s.contacts, 0, w);
+  prepare_contacts(s.mass, s.contacts, {.most = 0}, w);
   EXPECT_LE(kLanes * w.large_islands.blocks.size(), 2U * static_cast<std::size_t>(s.contacts.size()));
 }
 
@@ -298,7 +298,7 @@ TEST(ContactBlocks, StayPreparedFromSolveToSolve) {
       const ContactSolverOptions options{.max_newton = 0, .most_exact = most_exact};
       ContactWorkspace w, other;
       Eigen::Matrix3Xd dq, expected;
-      prepare_contacts(s.mass, s.contacts, most_exact, w);
+      prepare_contacts(s.mass, s.contacts, {.most = most_exact}, w);
       project_prepared(s.mass, s.contacts, 0.5, dq, options, w);
       project_penetrations(s.mass, s.contacts, 0.5, expected, options, other);
       EXPECT_EQ(dq, expected) << "seed " << seed;
