@@ -237,15 +237,17 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const double press = step.pressing.between(world, step.memory, a, b, at.point, m.normal);
     const double rest = step.pressing.rest_speed(world, press, material.restitution);
     const bool kept = is_kept(a, b, at.id);
-    const bool slow = kept || impact_speed(material, closing) <= rest;
-    // With impacts at their own time fast ones are left to the event queue.
     const bool open = at.gap > rounding;
+    const std::optional<std::size_t> before = force_before(world, forces, last, a, b, m, at);
+    const bool pressed_before = before && step.memory.support[*before][0] > 0.0;
+    // Explicit Euler leaves a gap where what a body rests on turns away, and closes it within the next step.
+    const double follows_on = euler_in_time && pressed_before && open ? at.gap / step.length : 0.0;
+    // With impacts at their own time fast ones are left to the event queue.
+    const bool slow = kept || impact_speed(material, closing - follows_on) <= rest;
     // Other contacts may press it within the step as hard as any force.
     const double pressed = std::max(rest, by_forces);
     const bool near = !located || !open ||
                       (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= 2.0 * pressed);
-    const std::optional<std::size_t> before = force_before(world, forces, last, a, b, m, at);
-    const bool pressed_before = before && step.memory.support[*before][0] > 0.0;
     const bool follows = step.pressing.follows_bounces();
     const bool outside = at.gap > -kHeldInside * smaller_size(world, a, b);
     const bool comes_later = !pressed_before && at.gap > kFlush * size;
@@ -263,15 +265,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     }
     // A fast one that penetrates is projected out and left to the impacts at the step's end.
     const bool hits = !slow && !located;
-    const double along_normal = at.gap - closing * step.h;
-    double away = 0.0;
-    if (open && along_normal < 0.0) {
-      // Contact forces may hold what is slow against all other forces.
-      away = hits ? gap_in_flight(step.world, a, b, m.parts, step.h) - along_normal
-                  : turned_away(step, a, b, m, along_normal, rounding);
-      if (!(away > rounding)) away = 0.0;
-    }
-    found.turned_away.push_back(away);
+    found.turned_away.push_back(stays_away(step, a, b, m, at.gap, closing, hits, rounding));
     found.returns.push_back(0.0);
     c.target[i] = slow || hits ? -found.room(i) / step.h : -std::numeric_limits<double>::infinity();
     if (hits && (found.hits.empty() || found.hits.back() != std::pair(a, b))) found.hits.emplace_back(a, b);
@@ -291,6 +285,18 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   }
   if (hits_now && !supported_.empty() && supported_.back() == std::pair(a, b))
     hit_.push_back(supported_.back());
+}
+
+// m: how much farther from each other than a point at this gap that closes at this speed (m/s) would be, two
+// parts are at the end, if it would be closed by then.
+double ContactFinder::stays_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m, double gap,
+                                 double closing, bool hits, double rounding) const {
+  const double along_normal = gap - closing * step.h;
+  if (!(gap > rounding) || !(along_normal < 0.0)) return 0.0;
+  // Contact forces may hold what is slow against all other forces.
+  const double away = hits ? gap_in_flight(step.world, a, b, m.parts, step.h) - along_normal
+                           : turned_away(step, a, b, m, along_normal, rounding);
+  return away > rounding ? away : 0.0;
 }
 
 // m: how much farther from each other than along the normal of now, where they would be at the gap `along_it`

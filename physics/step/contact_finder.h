@@ -103,6 +103,8 @@ class ContactFinder {
   void keep_apart(BodyIndex a, BodyIndex b);
   [[nodiscard]] bool is_located(const World& world, BodyIndex a, BodyIndex b, const SurfaceLaw& law) const;
   [[nodiscard]] bool is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const;
+  [[nodiscard]] double stays_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m, double gap,
+                                  double closing, bool hits, double rounding) const;
   [[nodiscard]] double turned_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m,
                                    double along_it, double rounding) const;
   [[nodiscard]] Manifold exposed(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m);
