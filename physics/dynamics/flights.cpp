@@ -117,8 +117,18 @@ void Flights::fly_one(const Island& island, double time, Motion& out) {
   count_flight();
   if (parabolic && !field.has_quadratures()) {
     // Every such method's flight, whatever way it goes.
-    out << parabola(body, time), parabola_velocity(body, time), at_start.col(body).tail<kQuadratures>();
-    out[6 + kGravityAngularImpulse] = angular_impulse_of_gravity(body, time);
+    const double h = time - island.start;
+    const auto y = at_start.col(body);
+    out = y;
+    out.head<3>() += h * (y.segment<3>(3) + 0.5 * h * constant.col(body));
+    out.segment<3>(3) += h * constant.col(body);
+    if (field.contact_changes()) {
+      const double from = island.start - bent_from;
+      out.head<3>() += h * h * (0.5 * from + h / 6.0) * field.contact_rate(body);
+      out.segment<3>(3) += h * (from + 0.5 * h) * field.contact_rate(body);
+    }
+    if (!model->forces.gravity.isZero(0.0))
+      out[6 + kGravityAngularImpulse] = angular_impulse_of_gravity(body, time);
     return;
   }
   const double h = time - island.start;

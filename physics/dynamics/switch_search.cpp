@@ -57,9 +57,9 @@ double margin_at(Flights& f, const Island& island, const Switch& a_switch, doubl
 
 }  // namespace
 
-SwitchSearch::SwitchSearch(const Model& model)
-    : reaches_(model.bodies()), released_at_(model.joint_terms.all.size(), -1.0) {
+SwitchSearch::SwitchSearch(const Model& model) : released_at_(model.joint_terms.all.size(), -1.0) {
   const auto note = [&](const Ends& ends) {
+    reaches_.resize(model.bodies());
     const auto add = [&](BodyIndex body, bool turns) {
       Reach& reach = reaches_[static_cast<std::size_t>(body)];
       reach.turns = reach.turns || turns;
@@ -92,7 +92,7 @@ SwitchSearch::Ends SwitchSearch::ends_of(const Model& model, const Switch& a_swi
 
 double SwitchSearch::time_to_follow(const Flights& f, const Island& island) const {
   double most = std::numeric_limits<double>::infinity();
-  if (island.kinematic) return most;
+  if (island.kinematic || reaches_.empty()) return most;
   const auto bound = [&most](double way, double pace, double change) {
     most = std::min(most, 2.0 * way / (pace + std::sqrt(pace * pace + 2.0 * change * way)));
   };

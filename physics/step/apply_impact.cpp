@@ -1,6 +1,7 @@
 #include "physics/step/apply_impact.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "physics/impact/jointed_impact.h"
@@ -98,21 +99,21 @@ ImpactEffect apply(World& world, BodyIndex a, BodyIndex b, const Contact& contac
   // bodies.
   if (!(closing > 0.0)) return ImpactEffect::kNone;
   const Ledger& ledger = world.sums.ledger;
-  const bool wants_jump = world.log.wants_jump(world.model->bodies());
-  Jump jump;
-  if (wants_jump) {
-    jump.before = world.state_at(within);
-    jump.change.add(-1.0, ledger);
+  std::optional<Jump> jump;
+  if (world.log.wants_jump(world.model->bodies())) {
+    jump.emplace();
+    jump->before = world.state_at(within);
+    jump->change.add(-1.0, ledger);
   }
   const Impact impact = of_pair.resolve(world, a, b, contact, material);
   const ImpactEffect effect = Kind::joins(material) ? ImpactEffect::kJoined : ImpactEffect::kBounced;
   record_impact(world, a, b, contact, impact, closing, within);
   if (effect == ImpactEffect::kBounced) record_impulse(world, a, b, contact, impact);
-  if (!wants_jump) return effect;
-  jump.time = std::min(world.trajectories.epoch() + within, world.clock.step_end);
-  jump.after = world.state_at(within);
-  jump.change.add(1.0, ledger);
-  world.log.jumps.push_back(std::move(jump));
+  if (!jump) return effect;
+  jump->time = std::min(world.trajectories.epoch() + within, world.clock.step_end);
+  jump->after = world.state_at(within);
+  jump->change.add(1.0, ledger);
+  world.log.jumps.push_back(std::move(*jump));
   return effect;
 }
 

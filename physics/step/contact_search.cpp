@@ -132,9 +132,18 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
                                   double start, double end) {
   const Trajectories& trajectories = world.trajectories;
   const ConvexShapes& shapes = world.shapes().shapes;
-  const Vec2 d = (trajectories.parabola(b, start) - trajectories.parabola(a, start)).head<2>();
-  const Vec2 va = trajectories.parabola_velocity(a, start).head<2>();
-  const Vec2 vb = trajectories.parabola_velocity(b, start).head<2>();
+  Vec2 place[2];
+  Vec2 velocity[2];
+  for (const int k : {0, 1}) {
+    const BodyIndex i = k == 0 ? a : b;
+    const auto from = trajectories.at_start(i);
+    const Vec2 by = trajectories.constant_acceleration(i).head<2>();
+    const double h = start - trajectories.start(i);  // of a fixed body any time, as it has no velocity
+    place[k] = from.head<2>() + h * (from.segment<2>(3) + 0.5 * h * by);
+    velocity[k] = from.segment<2>(3) + h * by;
+  }
+  const Vec2 d = place[1] - place[0];
+  const auto& [va, vb] = velocity;
   const Vec2 u = vb - va;
   const auto [shape_a, shape_b] = world.shapes().first_parts(a, b);
   const double touch = shapes.rounding[shape_a] + shapes.rounding[shape_b];

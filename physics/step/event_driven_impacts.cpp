@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "physics/collision/pair_contact.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/ledger/step_limits.h"
 #include "physics/step/apply_impact.h"
@@ -53,6 +54,17 @@ constexpr int kMostTrajectoryEndsPerBody = 20;
 constexpr std::int64_t kInternalEdge = 20;
 // Largest number of epochs in one step.
 constexpr double kMostEpochs = 1024.0;
+
+// Where two parts meet, at the start of the trajectories: what a disc meets has one point, else the middle of
+// the face or the end that approaches.
+Contact meeting_point(const World& world, BodyIndex a, BodyIndex b, const ShapePair& parts) {
+  const Geometry& shapes = world.shapes();
+  if (!shapes.is_disc(a) && !shapes.is_disc(b))
+    return world.approach(a, b, touch_tolerance(world, a, b), parts).contact;
+  Contact earlier;
+  earlier.parts = parts;
+  return contact_again(shapes, a, pose_at_start(world, a), b, pose_at_start(world, b), earlier);
+}
 
 // Whether the step is divided at a time if impacts change supports then.
 bool divides(const auto& step, double time) {
@@ -217,6 +229,10 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
   disturbed_.reset();
   while (!moment_.empty() || (!queue_.empty() && queue_.next().time <= target)) {
     if (moment_.empty()) {
+      if (is_stale(queue_.next())) {
+        queue_.pop();
+        continue;
+      }
       if (queue_.next().time > end_of_disturbed(step)) return disturbed_;
       find_moment(step);
     }
@@ -285,19 +301,26 @@ bool EventDrivenImpacts::resolve(const Step& step, BodyIndex a, BodyIndex b, dou
     const Vec2 u = of_b.segment<2>(3) - of_a.segment<2>(3);
     const double least = 64.0 * kEpsilon * (std::abs(time) + step.h);
     world.work.spend(kInternalEdge);
-    search(step, a, b, time + std::clamp(past / u.norm(), least, step.h));
+    search(step, search_rules(step, time + std::clamp(past / u.norm(), least, step.h)), a, b);
     return false;
   }
-  if (!guarded) {
+  if (!guarded && may_be_several(world, a, b)) {
     if (const std::optional<bool> divides = resolve_at_once(step, a, b, time)) return *divides;
   }
   for (const BodyIndex i : {a, b}) {
     if (trajectories.island_of(i) != kNoIsland && trajectories.start(i) != time)
       trajectories.advance_to(trajectories.island_of(i), time);
   }
-  const Contact contact = world.approach(a, b, touch_tolerance(world, a, b), *parts).contact;
+  const Contact contact = meeting_point(world, a, b, *parts);
   const PressedPair pressed = pressed_pair(world, a, b, contact);
   return resolve_alone(step, pressed.a, pressed.b, pressed.contact, time, guarded);
+}
+
+// Whether impacts of other pairs, or of other shapes of this one, may come at one moment with that of a and b.
+bool EventDrivenImpacts::may_be_several(const World& world, BodyIndex a, BodyIndex b) const {
+  const Geometry& shapes = world.shapes();
+  return !moment_.empty() || shapes.has_parts(a) || shapes.has_parts(b) || takes_touches(world) ||
+         is_of_clay(world.material({}, a, b));
 }
 
 bool EventDrivenImpacts::resolve_alone(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/collision/cell_grid.h"
+#include "physics/step/contact_search.h"
 #include "physics/step/event_queue.h"
 #include "physics/step/impact_cluster.h"
 #include "physics/step/pair_list.h"
@@ -66,7 +67,8 @@ class EventDrivenImpacts {
   void find_moment(const Step& step);
   // Resolves the impact of a scheduled pair. True if it starts a support that divides the step.
   bool resolve(const Step& step, BodyIndex a, BodyIndex b, double time, bool guarded);
-  // Likewise at one contact, where both bodies are there and nothing else closes with it.
+  [[nodiscard]] bool may_be_several(const World& world, BodyIndex a, BodyIndex b) const;
+  // As resolve(), at one contact, where both bodies are there and nothing else closes with it.
   bool resolve_alone(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact, double time,
                      bool guarded);
   // As resolve(), with all that closes at this time too, or with all that touches if the scene says so. Nothing
@@ -101,8 +103,10 @@ class EventDrivenImpacts {
   // Rebuilds these islands and schedules their next impacts.
   void rebuild_and_search(const Step& step, std::span<const IslandIndex> islands);
   void search_island(const Step& step, IslandIndex island);
-  void search(const Step& step, BodyIndex a, BodyIndex b,
-              double from = -std::numeric_limits<double>::infinity());
+  [[nodiscard]] SearchRules search_rules(const Step& step,
+                                         double from = -std::numeric_limits<double>::infinity()) const;
+  void search(const Step& step, const SearchRules& rules, BodyIndex a, BodyIndex b);
+  void schedule(const Step& step, BodyIndex a, BodyIndex b, const NextContact& next);
   std::optional<ShapePair> parts_that_meet(const Step& step, BodyIndex a, BodyIndex b, double time);
   [[nodiscard]] double closing_share() const;
   [[nodiscard]] bool is_stale(const Event& event) const {

@@ -22,6 +22,12 @@ inline constexpr std::size_t kMostTogether = 32;
   return world.model->several_impacts == SeveralImpactsId::kSimultaneous;
 }
 
+// Whether impacts under this law take all of the closing speed and nothing else.
+[[nodiscard]] inline bool is_of_clay(const SurfaceLaw& law) {
+  return law.restitution == 0.0 && law.tangential_restitution == 0.0 && law.kinetic_friction == 0.0 &&
+         !law.sticks;
+}
+
 // Keeps, of items with ends a and b, those that bodies which move connect with the pair of a and b; if there
 // are more than kMostTogether, one more of them.
 template <class Item>

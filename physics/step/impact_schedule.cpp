@@ -5,7 +5,6 @@
 
 #include "physics/collision/broad_phase.h"
 #include "physics/collision/pair_contact.h"
-#include "physics/step/contact_search.h"
 #include "physics/step/event_driven_impacts.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
@@ -74,12 +73,13 @@ void EventDrivenImpacts::rebuild_all(const Step& step) {
   }
   for (const IslandIndex k : world.trajectories.islands()) rebuild(step, k);
   // Each pair once: from its movable body with the higher index, or from its only movable body.
+  const SearchRules rules = search_rules(step);
   std::size_t left = BroadPhase::most_pairs(world.model->bodies());
   for (BodyIndex i{0}; i < n && left > 0; ++i) {
     if (world.infinite_mass(i)) continue;
     grid_.each_near(i, [&](BodyIndex other) {
       if (left == 0 || !(other < i || world.infinite_mass(other))) return;
-      search(step, i, other);
+      search(step, rules, i, other);
       if (--left == 0) world.note(&Notices::pairs_cut_since, world.clock.time);
     });
   }
@@ -113,21 +113,26 @@ void EventDrivenImpacts::rebuild_and_search(const Step& step, std::span<const Is
 
 void EventDrivenImpacts::search_island(const Step& step, IslandIndex island) {
   World& world = step.world;
+  const SearchRules rules = search_rules(step);
   std::int64_t neighbours = 0;
   for (const BodyIndex i : world.trajectories.members(island)) {
     grid_.each_near(i, [&](BodyIndex other) {
       if (world.infinite_mass(i) && world.infinite_mass(other)) return;
       ++neighbours;
-      search(step, i, other);
+      search(step, rules, i, other);
     });
   }
   // An impact of a few bodies is free: the number of impacts has its own limit.
   world.work.spend(std::max<std::int64_t>(0, neighbours - kFewNeighbours));
 }
 
-// Schedules the next impact of a and b on their trajectories from `from` on (s after the epoch), if there is
-// one before the step is divided.
-void EventDrivenImpacts::search(const Step& step, BodyIndex a, BodyIndex b, double from) {
+// Until the step is divided, from `from` on (s after the epoch).
+SearchRules EventDrivenImpacts::search_rules(const Step& step, double from) const {
+  return {end_of_step_, step.resting, closing_share(), from, end_of_disturbed(step)};
+}
+
+// Schedules the next impact of a and b on their trajectories, if there is one.
+void EventDrivenImpacts::search(const Step& step, const SearchRules& rules, BodyIndex a, BodyIndex b) {
   World& world = step.world;
   if (a > b) std::swap(a, b);
   if (!world.can_collide(a, b)) return;
@@ -137,24 +142,33 @@ void EventDrivenImpacts::search(const Step& step, BodyIndex a, BodyIndex b, doub
     end_of_step_.add(a, b, false);
     return;
   }
-  world.shapes().each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
-    const SearchRules rules{end_of_step_, step.resting, closing_share(), from, end_of_disturbed(step)};
-    const NextContact next = next_contact(world, rules, a, b, {part_a, part_b});
-    switch (next.kind) {
-      case NextContact::kNone:
-        break;
-      case NextContact::kImpact:
-        queue_.push({next.time, a, b, stamp_[a], stamp_[b]});
-        break;
-      case NextContact::kPressed:
-        if (step.resting == nullptr)
-          world.note(&Notices::resting_since, world.trajectories.epoch() + next.time, {a, b});
-        [[fallthrough]];
-      case NextContact::kPenetrating:
-        end_of_step_.add(a, b, next.kind == NextContact::kPressed);
-        break;
-    }
+  const Geometry& shapes = world.shapes();
+  if (!shapes.has_parts(a) && !shapes.has_parts(b)) {
+    const NextContact next = next_contact(world, rules, a, b, shapes.first_parts(a, b));
+    if (next.kind != NextContact::kNone) schedule(step, a, b, next);
+    return;
+  }
+  shapes.each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
+    schedule(step, a, b, next_contact(world, rules, a, b, {part_a, part_b}));
   });
+}
+
+void EventDrivenImpacts::schedule(const Step& step, BodyIndex a, BodyIndex b, const NextContact& next) {
+  World& world = step.world;
+  switch (next.kind) {
+    case NextContact::kNone:
+      break;
+    case NextContact::kImpact:
+      queue_.push({next.time, a, b, stamp_[a], stamp_[b]});
+      break;
+    case NextContact::kPressed:
+      if (step.resting == nullptr)
+        world.note(&Notices::resting_since, world.trajectories.epoch() + next.time, {a, b});
+      [[fallthrough]];
+    case NextContact::kPenetrating:
+      end_of_step_.add(a, b, next.kind == NextContact::kPressed);
+      break;
+  }
 }
 
 // The parts of a and b that touch at this time, of several those that approach fastest; nothing where others

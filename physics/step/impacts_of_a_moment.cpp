@@ -103,8 +103,9 @@ void EventDrivenImpacts::find_moment(const Step& step) {
   const Event next = queue_.next();
   queue_.pop();
   queue_.sweep([&](const Event& event) { return is_stale(event); });
-  moment_.assign({next});
-  if (next.b < 0 || is_stale(next)) return;
+  moment_.clear();
+  moment_.push_back(next);
+  if (next.b < 0) return;
   const double most = next.time + apart(next.time, step.h, kMostOff * step.h);
   const bool at_end = most > step.horizon;
   if (!at_end && (queue_.empty() || queue_.next().time > most)) return;
@@ -159,6 +160,7 @@ void EventDrivenImpacts::find_closing(const Step& step, BodyIndex a, BodyIndex b
   cluster_.clear();
   if (at_once_work_ > kMostWork) return;
   find_due(step, a, b, time);
+  if (cluster_.touches().empty()) return;
   cluster_.keep_closing(world, a, b, [&](BodyIndex i) { return motion_at(world.trajectories, i, time); });
   if (cluster_.only_one_left() != nullptr) return;
   if (!cluster_.has_several(world) || cluster_.touches().size() > 2 * kMostTogether) {
@@ -176,9 +178,7 @@ void EventDrivenImpacts::find_closing(const Step& step, BodyIndex a, BodyIndex b
 // with the pair; false if there are no several, or too many.
 bool EventDrivenImpacts::find_of_clay(World& world, BodyIndex a, BodyIndex b, double time) {
   const auto of_clay = [&world](const Contact& contact, BodyIndex c, BodyIndex d) {
-    const SurfaceLaw& law = world.material(contact, c, d);
-    return law.restitution == 0.0 && law.tangential_restitution == 0.0 && law.kinetic_friction == 0.0 &&
-           !law.sticks;
+    return is_of_clay(world.material(contact, c, d));
   };
   if (at_once_work_ > kMostWork || !of_clay({}, a, b)) return false;
   find_touching(world, a, b, time, 1.0);
