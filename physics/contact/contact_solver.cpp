@@ -109,6 +109,11 @@ Swept gauss_seidel(const Sweep& sweep_once, const Measure& measure, double toler
   return swept;
 }
 
+bool in_blocks(const ContactWorkspace& w, int island) {
+  return w.in_blocks[static_cast<std::size_t>(island)] != 0;
+}
+
+// Of more contacts than islands that are solved exactly at any speed.
 bool is_large(const ContactWorkspace& w, int island) {
   return w.first_block[island + 1] > w.first_block[island];
 }
@@ -144,10 +149,10 @@ void load(const MassProperties& mass, const Eigen::Matrix3Xd& v, ContactWorkspac
   for (Eigen::Index i = 0; i < v.cols(); ++i)
     w.large_islands.velocity[static_cast<std::size_t>(i)] = {v(0, i), v(1, i), v(2, i)};
   for (int i = 0; i < w.islands.size(); ++i) {
-    if (!is_large(w, i)) {
+    if (!in_blocks(w, i)) {
       for (int k = w.islands.first[i]; k < w.islands.first[i + 1]; ++k) set(w.islands.contacts[k], w.rows[k]);
-      continue;
     }
+    if (!is_large(w, i)) continue;
     double rubs = 0.0;
     double rolls = 0.0;
     each_lane(w.large_islands, w.first_block[i], w.first_block[i + 1],
@@ -163,13 +168,13 @@ void load(const MassProperties& mass, const Eigen::Matrix3Xd& v, ContactWorkspac
 }
 
 void store_bodies(const ContactWorkspace& w, Eigen::Matrix3Xd& v) {
-  for (std::size_t i = 0; i < w.bodies.size(); ++i) {
-    const auto col = static_cast<Eigen::Index>(i);
-    if (w.large_islands.in_blocks[i] != 0) {
-      const BodyVelocity& u = w.large_islands.velocity[i];
-      v.col(col) << u.x, u.y, u.spin;
-    } else {
-      v.col(col) << w.bodies[i].vx, w.bodies[i].vy, w.bodies[i].spin;
+  for (std::size_t i = 0; i < w.bodies.size(); ++i)
+    v.col(static_cast<Eigen::Index>(i)) << w.bodies[i].vx, w.bodies[i].vy, w.bodies[i].spin;
+  for (int island = 0; island < w.islands.size(); ++island) {
+    if (!in_blocks(w, island)) continue;
+    for (const BodyIndex i : bodies_of(w, island)) {
+      const BodyVelocity& u = w.large_islands.velocity[static_cast<std::size_t>(i)];
+      v.col(i) << u.x, u.y, u.spin;
     }
   }
 }
@@ -187,8 +192,9 @@ double most_impulse(std::span<const ContactRow> rows, std::span<const SolverBody
   return rubs ? kMostStress * momentum_to_change(rows, bodies) : std::numeric_limits<double>::infinity();
 }
 
-Solved solve_exactly(const ContactSolverOptions& options, std::span<ContactRow> rows, ContactWorkspace& w,
+Solved solve_exactly(const ContactSolverOptions& options, int island, ContactWorkspace& w,
                      ContactSolverReport& report) {
+  const std::span<ContactRow> rows = rows_of(w, island);
   const double most = most_impulse(rows, w.bodies);
   if (largest_impulse(rows) > most) {
     for (ContactRow& row : rows) row.normal = row.tangential = row.moment = 0.0;
@@ -202,7 +208,7 @@ Solved solve_exactly(const ContactSolverOptions& options, std::span<ContactRow> 
   if (solved.missed && exact) {
     apply_all(rows, w.bodies);
     NewtonOptions newton_options{options.tolerance, options.max_newton, most};
-    if (static_cast<int>(rows.size()) > w.most_exact) newton_options.max_sweeps = options.slow_newton_sweeps;
+    if (is_large(w, island)) newton_options.max_sweeps = options.slow_sweeps;
     const NewtonResult newton = w.newton.run(rows, w.bodies, newton_options);
     solved.left = newton.residual;
     solved.missed = !newton.settled;
@@ -236,6 +242,18 @@ Solved solve_large(const ContactSolverOptions& options, int island, ContactWorks
   return {swept, swept.residual, !(swept.residual <= tolerance)};
 }
 
+// A large island that is slow. In blocks, too, if the exact solve is not even as good as that is to be; the
+// better of both counts.
+Solved solve_slow(const ContactSolverOptions& options, int island, ContactWorkspace& w,
+                  ContactSolverReport& report) {
+  const Solved exactly = solve_exactly(options, island, w, report);
+  if (!exactly.missed || exactly.left <= large_tolerance(options, bodies_of(w, island))) return exactly;
+  const Solved solved = solve_large(options, island, w);
+  if (exactly.left <= solved.left) return exactly;
+  w.in_blocks[static_cast<std::size_t>(island)] = 1;
+  return solved;
+}
+
 bool is_exact(const ExactIslands& exact, const Contacts& contacts, std::span<const int> island) {
   const int size = static_cast<int>(island.size());
   if (size <= exact.most) return true;
@@ -252,8 +270,9 @@ ContactSolverReport solve_islands(const ContactSolverOptions& options, ContactWo
   ContactSolverReport report;
   report.islands = w.islands.size();
   for (int i = 0; i < w.islands.size(); ++i) {
-    const Solved solved =
-        is_large(w, i) ? solve_large(options, i, w) : solve_exactly(options, rows_of(w, i), w, report);
+    const Solved solved = in_blocks(w, i)  ? solve_large(options, i, w)
+                          : is_large(w, i) ? solve_slow(options, i, w, report)
+                                           : solve_exactly(options, i, w, report);
     report.sweeps = std::max(report.sweeps, solved.swept.sweeps);
     report.contact_sweeps += solved.swept.sweeps * static_cast<std::int64_t>(w.islands.of(i).size());
     report.missed_islands += solved.missed ? 1 : 0;
@@ -266,19 +285,20 @@ ContactSolverReport solve_islands(const ContactSolverOptions& options, ContactWo
 
 void prepare_contacts(const MassProperties& mass, const Contacts& contacts, const ExactIslands& exact,
                       ContactWorkspace& w) {
-  w.most_exact = exact.most;
-  w.slow_islands = 0;
   find_islands(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, w.islands);
   clear_blocks(static_cast<int>(mass.inverse_mass.size()), w.large_islands);
   w.rows.resize(w.islands.contacts.size());
   w.moves.resize(contacts.a.size());
   w.law.resize(w.islands.size());
+  w.in_blocks.assign(w.islands.size(), 0);
   w.first_block.assign(1, 0);
   w.first_body.assign(1, 0);
   for (int i = 0; i < w.islands.size(); ++i) {
     const std::span<const int> of_island = w.islands.of(i);
     const int first = w.first_block.back();
-    if (!is_exact(exact, contacts, of_island)) {
+    const bool exactly = is_exact(exact, contacts, of_island);
+    w.in_blocks[static_cast<std::size_t>(i)] = exactly ? 0 : 1;
+    if (static_cast<int>(of_island.size()) > exact.most) {
       add_blocks(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, of_island, w.large_islands);
       each_lane(w.large_islands, first, static_cast<int>(w.large_islands.blocks.size()),
                 [&](int c, ContactBlock& block, std::size_t lane) {
@@ -292,8 +312,8 @@ void prepare_contacts(const MassProperties& mass, const Contacts& contacts, cons
                   };
                   set_geometry(row, body(row.a), body(row.b), lane, block);
                 });
-    } else {
-      w.slow_islands += static_cast<int>(of_island.size()) > exact.most ? 1 : 0;
+    }
+    if (exactly) {
       ContactRow* row = w.rows.data() + w.islands.first[i];
       for (const int c : of_island) w.moves[c] = set_geometry(contacts, c, mass, *row++);
     }
@@ -316,22 +336,25 @@ ContactSolverReport solve_prepared(const MassProperties& mass, Contacts& contact
     contacts.rolling_impulse[c] = row.moment;
     contacts.sticks[c] = std::abs(slip - contacts.slip_target[c]) <= options.slip_speed ? 1 : 0;
   };
-  for (int i = 0; i < w.islands.size(); ++i) {
-    if (is_large(w, i)) continue;
-    const std::span<const ContactRow> rows = rows_of(w, i);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      const RowVelocity u = row_velocity(rows[k], w.bodies[rows[k].a], w.bodies[rows[k].b]);
-      keep(w.islands.of(i)[k], rows[k], u.tangential);
-    }
-  }
-  each_lane(w.large_islands, 0, w.first_block.back(), [&](int c, const ContactBlock& block, std::size_t lane) {
+  const auto keep_lane = [&](int c, const ContactBlock& block, std::size_t lane) {
     const ContactRow row = row_of(block, lane);
     const auto body = [&](BodyIndex i) {
       const auto of = v.col(i);
       return SolverBody{.vx = of[0], .vy = of[1], .spin = of[2]};
     };
     keep(c, row, row_velocity(row, body(row.a), body(row.b)).tangential);
-  });
+  };
+  for (int i = 0; i < w.islands.size(); ++i) {
+    if (in_blocks(w, i)) {
+      each_lane(w.large_islands, w.first_block[i], w.first_block[i + 1], keep_lane);
+      continue;
+    }
+    const std::span<const ContactRow> rows = rows_of(w, i);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const RowVelocity u = row_velocity(rows[k], w.bodies[rows[k].a], w.bodies[rows[k].b]);
+      keep(w.islands.of(i)[k], rows[k], u.tangential);
+    }
+  }
   return report;
 }
 

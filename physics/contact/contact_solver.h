@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -22,7 +23,6 @@ struct ContactSolverOptions {
   // The most contacts of an ordinary island, if the call prepares the contacts itself. A larger island is
   // solved in blocks, without semismooth Newton, and has its own budget and tolerance:
   int most_exact = 1 << 30;
-  int slow_newton_sweeps = 64;  // of a larger island that is solved exactly as it is slow
   int large_sweeps = 64;
   int large_contact_sweeps = 0;   // more sweeps while contacts times sweeps stay below this
   double large_tolerance = 1e-9;  // m/s
@@ -31,7 +31,10 @@ struct ContactSolverOptions {
   const Eigen::Matrix3Xd* large_motion = nullptr;
   double large_share = 0.1;
   double large_coarsest = 1e-9;  // m/s
-  double slip_speed = 0.0;       // a contact whose slip is at most this sticks, m/s
+  // A larger island that is slow (see ExactIslands) is solved exactly; in blocks where that would need more
+  // sweeps after failed steps of semismooth Newton.
+  int slow_sweeps = 64;
+  double slip_speed = 0.0;  // a contact whose slip is at most this sticks, m/s
 };
 
 // Cost and result of a solve. An island misses its tolerance if its residual is above both the tolerance and
@@ -46,8 +49,8 @@ struct ContactSolverReport {
   double residual = 0.0;  // the largest of any island, m/s (m for a projection); see residual()
 };
 
-// Which islands are solved exactly: those of up to `most` contacts, and slow ones of up to `most_slow`: where
-// the rms velocity of the contacts in `motion` (3×N) is at most slow_speed.
+// Which islands are solved exactly: those of up to `most` contacts; if it can be done, slow ones of up to
+// `most_slow`: where the rms velocity of the contacts in `motion` (3×N) is at most slow_speed.
 struct ExactIslands {
   int most = 1 << 30;
   int most_slow = 0;
@@ -58,21 +61,26 @@ struct ExactIslands {
 // Buffers that solves reuse; it may be copied. `islands` are those of the contacts that were prepared last.
 struct ContactWorkspace {
   Islands islands;
-  std::vector<ContactRow> rows;     // in the order of islands.contacts; those of large islands are not used
+  std::vector<ContactRow> rows;     // in the order of islands.contacts; those of large islands if they are slow
   std::vector<std::uint8_t> moves;  // by contact: the directions in which an impulse has an effect
   ContactBlocks large_islands;
   SweepMomentum momentum;
-  std::vector<int> first_block;  // island i has the blocks first_block[i] .. first_block[i + 1] - 1
-  std::vector<int> first_body;   // and large_islands.bodies[first_body[i]] .. [first_body[i + 1] - 1]
-  std::vector<BlockLaw> law;     // by island
-  int most_exact = 0;            // contacts of an island that is solved exactly at any speed
-  int slow_islands = 0;          // larger ones that are solved exactly as well
+  std::vector<std::uint8_t> in_blocks;  // by island: solved in blocks
+  // A large island i, a slow one as well, has the blocks first_block[i] .. first_block[i + 1] - 1
+  std::vector<int> first_block;
+  std::vector<int> first_body;  // and large_islands.bodies[first_body[i]] .. [first_body[i + 1] - 1]
+  std::vector<BlockLaw> law;    // by island
   std::vector<SolverBody> bodies;
   SemismoothNewton newton;
+
+  // Whether one is solved in blocks; of slow ones this may change in a solve.
+  [[nodiscard]] bool has_large_island() const {
+    return std::find(in_blocks.begin(), in_blocks.end(), 1) != in_blocks.end();
+  }
 };
 
 // Prepares what several solves share: which bodies touch, normals and arms, masses, and which islands are
-// large: those that are not solved exactly. Allocates nothing once the workspace has held as much.
+// solved exactly. Allocates nothing once the workspace has held as much.
 void prepare_contacts(const MassProperties& mass, const Contacts& contacts, const ExactIslands& exact,
                       ContactWorkspace& workspace);
 

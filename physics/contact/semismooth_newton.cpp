@@ -222,6 +222,7 @@ bool SemismoothNewton::search_states(std::span<const ContactRow> rows, int& left
 NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverBody> bodies,
                                    const NewtonOptions& options) {
   number_bodies(rows, bodies);
+  for (std::size_t c = 0; c < rows.size(); ++c) best_[c] = {rows[c].normal, rows[c].tangential, rows[c].moment};
   const auto put_best = [&] {
     for (std::size_t c = 0; c < rows.size(); ++c) {
       rows[c].normal = best_[c].normal;

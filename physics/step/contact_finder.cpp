@@ -287,8 +287,8 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     hit_.push_back(supported_.back());
 }
 
-// m: how much farther from each other than a point at this gap that closes at this speed (m/s) would be, two
-// parts are at the end, if it would be closed by then.
+// m: how much farther apart two parts are at the end than a point at this gap would be that goes on closing at
+// this speed (m/s); 0 unless it would be closed by then.
 double ContactFinder::stays_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m, double gap,
                                  double closing, bool hits, double rounding) const {
   const double along_normal = gap - closing * step.h;

@@ -173,7 +173,7 @@ bool GaussIsland::is_continued(const GaussStep& step) const {
 double GaussIsland::off(const GaussStep& step, double left) const {
   double most = 0.0;
   const auto add = [&most](double part) {
-    if (!(part <= most)) most = part;  // or NaN
+    if (!std::isnan(most) && !(part <= most)) most = part;
   };
   for (const GaussContact& c : closed_) {
     if (!c.presses) continue;

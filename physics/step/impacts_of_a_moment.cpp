@@ -194,11 +194,11 @@ void EventDrivenImpacts::find_due(const Step& step, BodyIndex a, BodyIndex b, do
     if (!is_stale(event)) due_.emplace_back(std::min(event.a, event.b), std::max(event.a, event.b));
   }
   // Shapes of one body may land together, each with its own surface.
-  const bool may_be_several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
-  if (due_.empty() && !may_be_several) return;
+  const bool have_parts = world.shapes().has_parts(a) || world.shapes().has_parts(b);
+  if (due_.empty() && !have_parts) return;
   due_.emplace_back(std::min(a, b), std::max(a, b));
   keep_connected(world, a, b, due_);
-  if ((due_.size() < 2 && !may_be_several) || due_.size() > kMostTogether) return;
+  if ((due_.size() < 2 && !have_parts) || due_.size() > kMostTogether) return;
   sort_unique(due_);
   for (const auto& [c, d] : due_) {
     near_.clear();

@@ -263,10 +263,6 @@ void RestingContacts::prepare(const World& world) {
   prepared_ = true;
 }
 
-void RestingContacts::prepare_in_blocks(const World& world) {
-  prepare_contacts(world.mass(), found_.contacts, {.most = kMostExact}, workspace_);
-}
-
 ContactSolverOptions RestingContacts::solver_options() const {
   const double by_forces = pressing_.change_by_forces();
   ContactSolverOptions options;

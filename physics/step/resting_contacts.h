@@ -113,10 +113,8 @@ class RestingContacts {
   void push_as_before(World& world);
   void fly(World& world, double h);
   [[nodiscard]] ContactSolverOptions solver_options() const;
-  [[nodiscard]] bool has_large_island() const { return !workspace_.large_islands.blocks.empty(); }
-  // Prepares the contacts to be solved; islands of more than 64 in blocks, also where they are slow.
+  [[nodiscard]] bool has_large_island() const { return workspace_.has_large_island(); }
   void prepare(const World& world);
-  void prepare_in_blocks(const World& world);
   void read_velocities(const World& world);
 
   double supported_ = 0.0;    // s

@@ -98,16 +98,10 @@ ContactSolverReport RestingContacts::solve(const World& world, const Eigen::Matr
                                            const ContactSolverOptions& options) {
   Contacts& c = found_.contacts;
   sticks_ = c.sticks;
-  const auto solve_as_prepared = [&] {
+  const auto once = [&] {
     after_ = from;
     c.sticks = sticks_;
     return solve_prepared(world.mass(), c, after_, options, workspace_);
-  };
-  const auto once = [&] {
-    const ContactSolverReport exact = solve_as_prepared();
-    if (workspace_.slow_islands == 0 || !is_unsolved(exact)) return exact;
-    prepare_in_blocks(world);
-    return solve_as_prepared();
   };
   // m/s: bodies that come back onto their surfaces slip so fast at most.
   const Eigen::Map<const Eigen::VectorXd> returns(found_.returns.data(), c.size());

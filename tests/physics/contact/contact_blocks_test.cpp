@@ -289,6 +289,71 @@ TEST(ContactBlocks, FindWhatTheExactSolverFinds) {
   EXPECT_GT(compared, 70);
 }
 
+// Two columns that stand apart, the second of which moves on: the first is slow, whatever the other one does.
+// All of both as exact as they were alone.
+TEST(ContactBlocks, AreNotForIslandsThatHardlyMove) {
+  constexpr int kHigh = 60;
+  constexpr double kFall = 0.1;  // m/s, by the forces of a step
+  test::ContactScene s;
+  s.fixed();
+  for (const double x : {0.0, 10.0}) {
+    const int first = static_cast<int>(s.v.cols());
+    for (int i = 0; i < kHigh; ++i) s.body(Vec2(x, 0.5 + i), 1.0, 0.1, {0.0, -kFall, 0.0});
+    for (int i = 0; i < kHigh; ++i)
+      s.contact(i == 0 ? 0 : first + i - 1, first + i, Vec2(x, i), {0.0, 1.0}, 0.5);
+  }
+  Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, s.v.cols());
+  for (int i = kHigh + 1; i <= 2 * kHigh; ++i) motion.col(i) << 0.01 * i, 0.0, 0.0;
+  ContactWorkspace w;
+  prepare_contacts(s.mass, s.contacts, {40, 100, 1e-3, &motion}, w);
+  ASSERT_EQ(w.in_blocks, (std::vector<std::uint8_t>{0, 1}));
+  EXPECT_TRUE(w.has_large_island());
+  const ContactSolverOptions options{.tolerance = 1e-13, .large_sweeps = 4, .large_tolerance = 1e-9};
+  const ContactSolverReport report = solve_prepared(s.mass, s.contacts, s.v, options, w);
+  EXPECT_EQ(report.missed_islands, 1);
+  for (int i = 1; i <= kHigh; ++i) {
+    EXPECT_LT(s.v.col(i).norm(), 1e-12);
+    EXPECT_NEAR(s.contacts.normal_impulse[i - 1], (kHigh - i + 1) * kFall, 1e-10);
+  }
+  EXPECT_GT(s.v.rightCols(kHigh).norm(), 1e-3);
+}
+
+// A slow island whose exact solve fails is solved in blocks, as if it were fast; no other island is.
+TEST(ContactBlocks, TakeOverWhereTheExactSolveFails) {
+  int taken_over = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const test::ContactScene start = network(seed, static_cast<BlockLaw>(seed % 3));
+    const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, start.v.cols());
+    const auto solved = [&](const ExactIslands& exact, ContactSolverOptions options, ContactWorkspace& w) {
+      test::ContactScene s = start;
+      options.large_sweeps = 4000;
+      options.large_tolerance = 1e-11;
+      prepare_contacts(s.mass, s.contacts, exact, w);
+      solve_prepared(s.mass, s.contacts, s.v, options, w);
+      return s;
+    };
+    const ExactIslands slow{0, 1000, 0.0, &still};
+    ContactWorkspace of_slow, of_all, of_none;
+    const test::ContactScene exactly = solved({.most = 1000}, {.tolerance = 1e-13, .max_newton = 200}, of_all);
+    const ContactSolverOptions patient{.tolerance = 1e-13, .max_newton = 200, .slow_sweeps = 1 << 30};
+    const test::ContactScene by_newton = solved(slow, patient, of_slow);
+    if (!of_slow.has_large_island()) {
+      EXPECT_EQ(by_newton.v, exactly.v) << "seed " << seed;
+    }
+
+    const test::ContactScene in_blocks = solved({.most = 0}, {}, of_none);
+    const test::ContactScene given_up =
+        solved(slow, {.tolerance = 1e-13, .max_sweeps = 1, .max_newton = 0}, of_slow);
+    const bool all =
+        std::all_of(of_slow.in_blocks.begin(), of_slow.in_blocks.end(), [](auto in) { return in == 1; });
+    if (!all) continue;
+    ++taken_over;
+    EXPECT_EQ(given_up.v, in_blocks.v) << "seed " << seed;
+    EXPECT_EQ(given_up.contacts.normal_impulse, in_blocks.contacts.normal_impulse) << "seed " << seed;
+  }
+  EXPECT_GT(taken_over, 30);
+}
+
 // One preparation serves several solves, of velocities and of penetrations.
 TEST(ContactBlocks, StayPreparedFromSolveToSolve) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {

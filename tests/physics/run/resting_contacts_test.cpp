@@ -313,11 +313,15 @@ TEST(RestingContacts, ABoxStaysOnADrivenTableUnderExplicitEuler) {
     Simulation simulation(s);
     const double most = 0.5 * kSwing * kG * step * step;  // m
     double gap = 0.0;
+    double overlap = 0.0;
     while (simulation.time() < 3.0) {
       simulation.step();
-      gap = std::max(gap, simulation.state().position(1).y() - simulation.state().position(0).y() - 1.0);
+      const double apart = simulation.state().position(1).y() - simulation.state().position(0).y() - 1.0;
+      gap = std::max(gap, apart);
+      overlap = std::max(overlap, -apart);
     }
     EXPECT_LT(gap, 1.001 * most) << step;
+    EXPECT_LT(overlap, 2.002 * most) << step;
     EXPECT_EQ(simulation.impact_count(), 0);
   }
 }
