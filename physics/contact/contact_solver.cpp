@@ -207,7 +207,7 @@ Solved solve_exactly(const ContactSolverOptions& options, int island, ContactWor
   Solved solved{swept, swept.residual, !(swept.residual <= options.tolerance)};
   if (solved.missed && exact) {
     apply_all(rows, w.bodies);
-    NewtonOptions newton_options{options.tolerance, options.max_newton, most};
+    NewtonOptions newton_options{options.tolerance, options.max_newton, most, options.enough};
     if (is_large(w, island)) newton_options.max_sweeps = options.slow_sweeps;
     const NewtonResult newton = w.newton.run(rows, w.bodies, newton_options);
     solved.left = newton.residual;

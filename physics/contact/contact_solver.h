@@ -20,6 +20,7 @@ struct ContactSolverOptions {
   double tolerance = 1e-9;  // of the residual, m/s (m for a projection)
   int max_sweeps = 64;      // of projected Gauss-Seidel, per island
   int max_newton = 60;      // linear systems of semismooth Newton, per island; 0: no Newton
+  double enough = 0.0;      // m/s: where that fails with no more left, it is not tried again
   // The most contacts of an ordinary island, if the call prepares the contacts itself. A larger island is
   // solved in blocks, without semismooth Newton, and has its own budget and tolerance:
   int most_exact = 1 << 30;

@@ -287,7 +287,7 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
       if (found) put_best();
       worse = 0;
       stiffness_ = std::max(kLeastStiffness, stiffness_ / kSofter);
-      if (sweeps > sweeps_left) break;
+      if (sweeps > sweeps_left || result.residual <= options.enough) break;
       sweeps_left -= sweeps;
       for (int i = 0; i < sweeps; ++i) sweep(rows, bodies, i % 2 == 1);
       sweeps = std::min(2 * sweeps, kMostSweeps);

@@ -17,7 +17,9 @@ struct NewtonOptions {
   double tolerance = 0.0;                                         // of the residual, m/s
   int max_iterations = 60;                                        // linear systems
   double most_impulse = std::numeric_limits<double>::infinity();  // N s: of a contact
-  // Sweeps after failed steps: where one would need more, the best impulses so far are the answer.
+  // Where a step fails, sweeps go on unless the residual is at most `enough` (m/s) or they would be more than
+  // max_sweeps in all: the best impulses so far are the answer then.
+  double enough = 0.0;
   int max_sweeps = std::numeric_limits<int>::max();
 };
 

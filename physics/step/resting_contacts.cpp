@@ -27,6 +27,8 @@ constexpr double kDeep = 0.05;
 // its speeds, at most kLargeSolved of that change: as it comes to rest its solution improves, each step
 // starting from the forces of the one before.
 constexpr int kMostExact = 64;
+// Times the tolerance: as near, a solve that has failed is not tried again.
+constexpr double kEnough = 100.0;
 constexpr int kMostExactSlow = 400;
 constexpr double kSlow = 0.01;
 constexpr double kLargeMotion = 0.1;
@@ -268,6 +270,7 @@ ContactSolverOptions RestingContacts::solver_options() const {
   ContactSolverOptions options;
   const double rounding = 16.0 * kEpsilon * before_.topRows<2>().cwiseAbs().maxCoeff();
   options.tolerance = kContactTolerance * by_forces + rounding;
+  options.enough = kEnough * options.tolerance;
   options.large_sweeps = kLargeSweeps;
   options.large_contact_sweeps = kLargeContactSweeps;
   const int contacts = found_.contacts.size();
@@ -300,6 +303,7 @@ void RestingContacts::project_penetrations(World& world) {
   if (has_large_island() && !(deepest > kLargePenetration)) return;
   ContactSolverOptions options = solver_options();
   options.tolerance = kPenetration * size;
+  options.enough = 0.0;
   options.large_tolerance = kLargePenetration * size;
   options.large_motion = nullptr;
   project_prepared(world.mass(), c, deepest > kDeep ? kPenetrationFraction : 1.0, moved_, options, workspace_);
