@@ -27,10 +27,11 @@ constexpr double kDeep = 0.05;
 // its speeds, at most kLargeSolved of that change: as it comes to rest its solution improves, each step
 // starting from the forces of the one before.
 constexpr int kMostExact = 64;
-// Times the tolerance: as near, a solve that has failed is not tried again.
-constexpr double kEnough = 100.0;
 constexpr int kMostExactSlow = 400;
 constexpr double kSlow = 0.01;
+// Times the tolerance: as near, a solve that has failed is not tried again where there are more than few
+// contacts.
+constexpr double kEnough = 100.0;
 constexpr double kLargeMotion = 0.1;
 constexpr double kLargeSolved = 1e-2;
 constexpr double kLargeRest = 1e-9;
@@ -270,7 +271,7 @@ ContactSolverOptions RestingContacts::solver_options() const {
   ContactSolverOptions options;
   const double rounding = 16.0 * kEpsilon * before_.topRows<2>().cwiseAbs().maxCoeff();
   options.tolerance = kContactTolerance * by_forces + rounding;
-  options.enough = kEnough * options.tolerance;
+  if (found_.contacts.size() > GaussStep::kFew) options.enough = kEnough * options.tolerance;
   options.large_sweeps = kLargeSweeps;
   options.large_contact_sweeps = kLargeContactSweeps;
   const int contacts = found_.contacts.size();
