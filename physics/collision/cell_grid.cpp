@@ -6,7 +6,7 @@ namespace carom {
 
 CellGrid::Order CellGrid::order() const {
   // Names all members, so that a new one does not compile until it is handled here.
-  const auto& [mask, inverse_size, cells, bounds, ranges, large, seen, query] = *this;
+  const auto& [mask, inverse_size, cells, bounds, ranges, large, seen, found, query] = *this;
   Order order{inverse_size, bounds, {}, large};
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (cells[k].count == 0) continue;

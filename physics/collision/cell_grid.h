@@ -17,7 +17,8 @@ namespace carom {
 // A grid of square cells, each with the bodies whose bounds touch it. Finding the neighbours of one body
 // costs a time that does not grow with their number. Cells wrap around (a hash of the coordinates that keeps
 // neighbours apart), so the plane has no edge; bodies that wrap onto each other are told apart by their
-// bounds. Bodies over more than kMostCells cells, or in full cells, are in one list that every query reads.
+// bounds. Bodies over more than kMostCells cells, or in full cells, are in one list that every query reads; so
+// are all where there are few.
 class CellGrid {
  public:
   struct FilledCell {
@@ -89,20 +90,26 @@ class CellGrid {
       query_ = 1;
     }
     seen_[body] = query_;
+    // Found before any is visited, without branches, because it is unpredictable which ones are.
+    std::size_t found = 0;
     each_cell(range, [&](const Cell& cell) {
       for (int i = 0; i < cell.count; ++i) {
         const BodyIndex other = cell.bodies[i];
-        if (seen_[other] == query_) continue;
-        seen_[other] = query_;
-        if (mine.overlaps(bounds_[other])) visit(other);
+        const unsigned counts = unsigned(seen_[other] != query_) & unsigned(mine.overlaps(bounds_[other]));
+        seen_[other] += counts * (query_ - seen_[other]);
+        found_[found] = other;
+        found += counts;
       }
     });
+    for (std::size_t i = 0; i < found; ++i) visit(found_[i]);
     for (const BodyIndex other : large_) {
       if (mine.overlaps(bounds_[other])) visit(other);
     }
   }
 
  private:
+  // To compare so few bounds costs less than to keep cells.
+  static constexpr int kFew = 24;
   static constexpr std::int64_t kMostCells = 32;
   static constexpr int kMostInCell = 15;
   struct alignas(64) Cell {
@@ -116,6 +123,7 @@ class CellGrid {
   };
 
   [[nodiscard]] Range range_of(const Bounds& b) const {
+    if (static_cast<int>(bounds_.size()) <= kFew) return {0, 0, 0, 0, kLarge};
     // Clamped far beyond any scene's coordinates: the integers must not overflow.
     const Eigen::Array2d low = (b.low * inverse_size_).floor().max(-1e15).min(1e15);
     const Eigen::Array2d high = (b.high * inverse_size_).floor().max(-1e15).min(1e15);
@@ -156,6 +164,7 @@ class CellGrid {
   std::vector<Range> range_;
   std::vector<BodyIndex> large_;
   std::vector<std::uint32_t> seen_;
+  std::array<BodyIndex, kMostCells * kMostInCell + 1> found_;  // scratch
   std::uint32_t query_ = 0;
 };
 

@@ -25,11 +25,11 @@ struct GapSample {
 // a grazing pass from a miss where d·d - distance² would have cancelled.
 [[nodiscard]] inline std::optional<double> first_disc_contact(const Vec2& d, const Vec2& u, double distance) {
   const double approach = -d.dot(u);
-  if (!(approach > 0.0)) return std::nullopt;
   const double speed = u.norm();
   const double aside = std::abs(cross(d, u));
   const double discriminant = (speed * distance - aside) * (speed * distance + aside);
-  if (!(discriminant > 0.0)) return std::nullopt;
+  // One branch, as neither is predictable.
+  if ((int(approach > 0.0) & int(discriminant > 0.0)) == 0) return std::nullopt;
   const double apart = d.norm();
   const double gap = (apart - distance) * (apart + distance);
   return std::max(0.0, gap / (approach + std::sqrt(discriminant)));

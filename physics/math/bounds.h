@@ -11,8 +11,7 @@ struct Bounds {
 
   [[nodiscard]] bool overlaps(const Bounds& other) const {
     // Without branches, because it is unpredictable which comparison fails.
-    return (int(low.x() <= other.high.x()) & int(other.low.x() <= high.x()) & int(low.y() <= other.high.y()) &
-            int(other.low.y() <= high.y())) != 0;
+    return (low - other.high).max(other.low - high).maxCoeff() <= 0.0;
   }
   [[nodiscard]] bool contains(const Bounds& other) const {
     return (int(low.x() <= other.low.x()) & int(low.y() <= other.low.y()) & int(other.high.x() <= high.x()) &

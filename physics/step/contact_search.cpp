@@ -147,9 +147,7 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
   const Vec2 u = vb - va;
   const auto [shape_a, shape_b] = world.shapes().first_parts(a, b);
   const double touch = shapes.rounding[shape_a] + shapes.rounding[shape_b];
-  const bool approach = d.dot(u) < 0.0;
   const bool apart = d.squaredNorm() > touch * touch;
-  if (apart && !approach) return {};
   const auto after = first_disc_contact(d, u, touch);
   if (apart && (!after || start + *after > end)) return {};
 
