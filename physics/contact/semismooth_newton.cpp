@@ -29,6 +29,11 @@ constexpr int kPolish = 4;
 constexpr int kMostOvershoots = 3;
 constexpr int kFirstSweeps = 32;  // after a failed step, then twice as many
 constexpr int kMostSweeps = 1024;
+constexpr std::size_t kMostPivoted = 64;  // contacts: more take longer than sweeps
+constexpr double kCompliance = 1e-6;      // of pivoted contacts, so that they share their load
+// Of the largest impulse that any may be: pivoted ones press jammed bodies as hard as it happens.
+constexpr double kPivotedStress = 1e-2;
+constexpr double kFar = 1e3;  // tolerances: so much is left to do that sharing does not count
 
 // The rows of J of one contact, for velocities times √m and √I: normal, tangential, rolling; side A, side B.
 struct ScaledRows {
@@ -219,27 +224,33 @@ bool SemismoothNewton::search_states(std::span<const ContactRow> rows, int& left
   return true;
 }
 
+void SemismoothNewton::keep(std::span<const ContactRow> rows) {
+  for (std::size_t c = 0; c < rows.size(); ++c) best_[c] = {rows[c].normal, rows[c].tangential, rows[c].moment};
+}
+
+void SemismoothNewton::put_best(std::span<ContactRow> rows, std::span<SolverBody> bodies) const {
+  for (std::size_t c = 0; c < rows.size(); ++c) {
+    rows[c].normal = best_[c].normal;
+    rows[c].tangential = best_[c].tangential;
+    rows[c].moment = best_[c].moment;
+  }
+  apply_all(rows, bodies);
+}
+
+void SemismoothNewton::take_step(std::span<ContactRow> rows, std::span<SolverBody> bodies) const {
+  for (std::size_t c = 0; c < rows.size(); ++c) {
+    ContactRow& row = rows[c];
+    row.normal += change_[c].normal;
+    row.tangential = limited_by_friction(row.tangential + change_[c].tangential, row.friction, row.normal);
+    row.moment = limited_by_friction(row.moment + change_[c].moment, row.rolling, row.normal);
+  }
+  apply_all(rows, bodies);
+}
+
 NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverBody> bodies,
                                    const NewtonOptions& options) {
   number_bodies(rows, bodies);
-  for (std::size_t c = 0; c < rows.size(); ++c) best_[c] = {rows[c].normal, rows[c].tangential, rows[c].moment};
-  const auto put_best = [&] {
-    for (std::size_t c = 0; c < rows.size(); ++c) {
-      rows[c].normal = best_[c].normal;
-      rows[c].tangential = best_[c].tangential;
-      rows[c].moment = best_[c].moment;
-    }
-    apply_all(rows, bodies);
-  };
-  const auto step = [&] {
-    for (std::size_t c = 0; c < rows.size(); ++c) {
-      ContactRow& row = rows[c];
-      row.normal += change_[c].normal;
-      row.tangential = limited_by_friction(row.tangential + change_[c].tangential, row.friction, row.normal);
-      row.moment = limited_by_friction(row.moment + change_[c].moment, row.rolling, row.normal);
-    }
-    apply_all(rows, bodies);
-  };
+  keep(rows);
   NewtonResult result{std::numeric_limits<double>::infinity(), 0, false};
   // Measures the residual of the impulses and keeps the best ones. Of those that differ by rounding alone,
   // the last are the best.
@@ -253,8 +264,7 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
     if ((now < result.residual || rounded) && !too_large) {
       result.residual = now;
       result.settled = rounded || now <= options.tolerance;
-      for (std::size_t c = 0; c < rows.size(); ++c)
-        best_[c] = {rows[c].normal, rows[c].tangential, rows[c].moment};
+      keep(rows);
     }
     return now;
   };
@@ -267,12 +277,13 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
   int worse = 0;
   int polished = 0;
   int overshoots = 0;
+  int pivots_left = rows.size() <= kMostPivoted ? 2 : 0;  // with compliance, then without
   double last = measure();
   while (left > 0 && !(result.residual <= options.tolerance)) {
     centre(rows, bodies);
     const bool found = search_states(rows, left);
     if (found) {
-      step();
+      take_step(rows, bodies);
       const double now = measure();
       if (too_large) {
         if (++overshoots >= kMostOvershoots) break;
@@ -284,10 +295,20 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
       last = now;
     }
     if (!found || worse >= kPatience) {
-      if (found) put_best();
+      if (found) put_best(rows, bodies);
       worse = 0;
       stiffness_ = std::max(kLeastStiffness, stiffness_ / kSofter);
       if (sweeps > sweeps_left || result.residual <= options.enough) break;
+      if (pivots_left > 0 && (pivots_left > 1 || result.residual > kFar * options.tolerance) &&
+          pivoted_.solve(rows, bodies, --pivots_left > 0 ? kCompliance : 0.0)) {
+        apply_all(rows, bodies);
+        if (largest_impulse(rows) <= kPivotedStress * options.most_impulse) {
+          last = measure();
+          stiffness_ = kFirstStiffness;
+          continue;
+        }
+        put_best(rows, bodies);
+      }
       sweeps_left -= sweeps;
       for (int i = 0; i < sweeps; ++i) sweep(rows, bodies, i % 2 == 1);
       sweeps = std::min(2 * sweeps, kMostSweeps);
@@ -295,7 +316,7 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
       last = measure();
     }
   }
-  put_best();
+  put_best(rows, bodies);
   result.iterations = options.max_iterations - std::max(left, 0);
   return result;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/contact/contact_rows.h"
+#include "physics/contact/pivoted_contacts.h"
 #include "physics/math/block_lu.h"
 #include "physics/model/index.h"
 
@@ -35,8 +36,9 @@ struct NewtonResult {
 // sticking, sliding ±) it is a linear system in v⁺, positive definite if nothing slides, however redundant.
 // Newton's method on v⁺ finds the states; the outer iteration removes the error that 1/r left and raises r.
 // All is solved for increments, so the answer is exact to rounding. If a step does not reduce the system's
-// residual, Gauss-Seidel sweeps continue from the best impulses so far, and r falls. With friction
-// convergence is not guaranteed; the result reports it. Alart and Curnier, Computer Methods in Applied
+// residual, a small island is pivoted (PivotedContacts); in a larger one, or where that finds nothing,
+// Gauss-Seidel sweeps continue from the best impulses so far, and r falls. With friction their convergence is
+// not guaranteed; the result reports it. Alart and Curnier, Computer Methods in Applied
 // Mechanics and Engineering 92 (1991) 353; Rockafellar, SIAM Journal on Control and Optimization 14 (1976)
 // 877.
 class SemismoothNewton {
@@ -64,6 +66,9 @@ class SemismoothNewton {
   double evaluate(std::span<const ContactRow> rows, const Eigen::VectorXd& step);
   bool factorise(std::span<const ContactRow> rows);
   bool search_states(std::span<const ContactRow> rows, int& left);
+  void take_step(std::span<ContactRow> rows, std::span<SolverBody> bodies) const;  // by change_
+  void keep(std::span<const ContactRow> rows);                                     // as the best impulses
+  void put_best(std::span<ContactRow> rows, std::span<SolverBody> bodies) const;
 
   double stiffness_ = 0.0;  // r K, dimensionless
   std::vector<int> local_of_;
@@ -78,6 +83,7 @@ class SemismoothNewton {
   Eigen::VectorXd step_, direction_, next_, system_;  // velocities times √m, √I; system_: the residual
   std::vector<std::pair<int, int>> edges_;
   BlockLu lu_;
+  PivotedContacts pivoted_;
 };
 
 }  // namespace carom

@@ -19,7 +19,7 @@ constexpr int kRefinements = 2;
 
 }  // namespace
 
-void LcpSolver::pivot(int row, int column) {
+void LcpSolver::exchange(int row, int column) {
   const double inverse = 1.0 / at(row, column);
   double* const pivot_row = &at(row, 0);
   for (int c = 0; c < columns_; ++c) pivot_row[c] *= inverse;
@@ -102,7 +102,7 @@ bool LcpSolver::pivot_to_solution(const Eigen::Ref<const Eigen::MatrixXd>& m, do
   int entering = covering;
   for (int pivots = 0; pivots < kMostPivotsPerRow * (size_ + 1); ++pivots) {
     const int leaving = basis_[row];
-    pivot(row, entering);
+    exchange(row, entering);
     if (leaving == covering) return true;
     entering = leaving < size_ ? leaving + size_ : leaving - size_;  // the complement of the variable that left
     row = leaving_row(entering);
@@ -111,15 +111,24 @@ bool LcpSolver::pivot_to_solution(const Eigen::Ref<const Eigen::MatrixXd>& m, do
   return false;
 }
 
-bool LcpSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& m, const Eigen::Ref<const Eigen::VectorXd>& q) {
+// True if zero is the solution.
+bool LcpSolver::begin(const Eigen::Ref<const Eigen::VectorXd>& q) {
   size_ = static_cast<int>(q.size());
   columns_ = 2 * size_ + 2;
   z_.assign(size_, 0.0);
-  if (size_ == 0 || q.minCoeff() >= 0.0) return true;
+  return size_ == 0 || q.minCoeff() >= 0.0;
+}
+
+bool LcpSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& m, const Eigen::Ref<const Eigen::VectorXd>& q) {
+  if (begin(q)) return true;
   for (const double epsilon : kProximal) {
     if (solve_with(m, q, epsilon)) return true;
   }
   return false;
+}
+
+bool LcpSolver::pivot(const Eigen::Ref<const Eigen::MatrixXd>& m, const Eigen::Ref<const Eigen::VectorXd>& q) {
+  return begin(q) || solve_with(m, q, 0.0);
 }
 
 bool LcpSolver::solve_with(const Eigen::Ref<const Eigen::MatrixXd>& m,

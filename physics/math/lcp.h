@@ -23,13 +23,17 @@ class LcpSolver {
   // M is n x n, q has n entries. False if no solution was found.
   [[nodiscard]] bool solve(const Eigen::Ref<const Eigen::MatrixXd>& m,
                            const Eigen::Ref<const Eigen::VectorXd>& q);
+  // The same by pivoting alone, in less time where there is no solution.
+  [[nodiscard]] bool pivot(const Eigen::Ref<const Eigen::MatrixXd>& m,
+                           const Eigen::Ref<const Eigen::VectorXd>& q);
 
   // z of the last problem, if it was solved.
   [[nodiscard]] Eigen::Map<const Eigen::VectorXd> solution() const { return {z_.data(), size_}; }
 
  private:
   [[nodiscard]] double& at(int row, int column) { return tableau_[row * columns_ + column]; }
-  void pivot(int row, int column);
+  [[nodiscard]] bool begin(const Eigen::Ref<const Eigen::VectorXd>& q);
+  void exchange(int row, int column);
   [[nodiscard]] int leaving_row(int column);
   [[nodiscard]] bool pivot_to_solution(const Eigen::Ref<const Eigen::MatrixXd>& m, double epsilon);
   [[nodiscard]] bool solve_with(const Eigen::Ref<const Eigen::MatrixXd>& m,
