@@ -97,7 +97,7 @@ void LabRuns::when_still(const QString& what, std::function<void()> then) {
   if (playhead_ && playhead_->plays) play_past(false);
   worker_.set_playing(false);
   forget_wait();
-  if (!frames_.front()->playing && !replayed_ && there()) return then();
+  if (frames_.empty() || (!frames_.front()->playing && !replayed_ && there())) return then();
   then_ = std::move(then);
   waits_ = what;
   emit noticesChanged();
@@ -328,7 +328,14 @@ void LabRuns::show_again(const Frames& frames, const std::shared_ptr<const Scene
   }
   awaited_ = 0;
   replayed_.reset();
-  begins_ = will_begin_ = false;
+  // A run that was just begun may have shown nothing yet: the picture of the other run stays, without its
+  // record.
+  begins_ = frames.empty();
+  will_begin_ = false;
+  recorders_.resize(frames_.size());
+  for (auto& recorder : recorders_) {
+    if (recorder == nullptr || begins_) recorder = std::make_shared<Recorder>();
+  }
 }
 
 void LabRuns::return_to(Worker::EditId edit) {
@@ -342,7 +349,7 @@ void LabRuns::return_to(Worker::EditId edit) {
   for (const auto& recorder : recorders_) recorder->keep(curves_);
   worker_.return_to(edit, curves_, document_.reference);
   watch_stops();
-  emit framesChanged();
+  if (!frames_.empty()) emit framesChanged();
 }
 
 std::shared_ptr<LabRuns::Entered> LabRuns::enter() const {
@@ -368,11 +375,7 @@ void LabRuns::take_back(Entered& run) {
   left.before = before_;
   left_[run.kept] = std::move(left);
   show_again(run.frames, run.scene, run.playhead);
-  // A run that was just begun may have shown nothing yet.
-  recorders_.resize(std::max(recorders_.size(), frames_.size()));
-  for (auto& recorder : recorders_)
-    recorder = recorder ? std::make_shared<Recorder>(*recorder) : std::make_shared<Recorder>();
-  begins_ = run.frames.empty();
+  for (auto& recorder : recorders_) recorder = std::make_shared<Recorder>(*recorder);
   worker_.cut(run.kept, run.time, document_.preset.edits);
   // Play may have been pressed before the first frame came: the next one shows the start.
   if (!frames_.empty()) emit framesChanged();
