@@ -5,6 +5,14 @@
 #include <cstddef>
 
 namespace carom {
+namespace {
+
+Eigen::Map<Eigen::MatrixXd> zeros(std::vector<double>& memory, Eigen::Index rows, Eigen::Index columns) {
+  memory.assign(static_cast<std::size_t>(rows * columns), 0.0);
+  return {memory.data(), rows, columns};
+}
+
+}  // namespace
 
 void PivotedContacts::add(const ContactRow& row, std::span<const SolverBody> bodies) {
   const SolverBody& a = bodies[row.a];
@@ -56,31 +64,31 @@ bool PivotedContacts::solve(std::span<ContactRow> rows, std::span<const SolverBo
     if (std::isfinite(row.target)) add(row, bodies);
   }
   const auto count = static_cast<Eigen::Index>(directions_.size());
-  coupling_.resize(count, count);
+  auto couplings = zeros(coupling_, count, count);
   double largest = 0.0;
   for (Eigen::Index i = 0; i < count; ++i) {
     largest = std::max(largest, std::abs(directions_[static_cast<std::size_t>(i)].beyond));
     for (Eigen::Index j = 0; j <= i; ++j)
-      coupling_(i, j) = coupling_(j, i) = coupling(static_cast<int>(i), static_cast<int>(j), bodies);
-    coupling_(i, i) += compliance;
+      couplings(i, j) = couplings(j, i) = coupling(static_cast<int>(i), static_cast<int>(j), bodies);
+    couplings(i, i) += compliance;
   }
   if (!(largest > 0.0)) return false;
 
   // The unknowns are λ_n or σ of each direction, then τ of each limit.
   const auto limits = static_cast<Eigen::Index>(limited_.size());
-  matrix_.setZero(count + limits, count + limits);
-  matrix_.topLeftCorner(count, count) = coupling_;
-  beyond_.setZero(count + limits);
+  auto matrix = zeros(matrix_, count + limits, count + limits);
+  matrix.topLeftCorner(count, count) = couplings;
+  auto beyond = zeros(beyond_, count + limits, 1);
   for (Eigen::Index i = 0; i < count; ++i)
-    beyond_[i] = directions_[static_cast<std::size_t>(i)].beyond / largest;
+    beyond(i, 0) = directions_[static_cast<std::size_t>(i)].beyond / largest;
   for (Eigen::Index k = 0; k < limits; ++k) {
     const Limited& limit = limited_[static_cast<std::size_t>(k)];
-    matrix_.col(limit.normal).head(count) -= limit.share * coupling_.col(limit.direction);
-    matrix_(limit.direction, count + k) = 1.0;
-    matrix_(count + k, limit.normal) = 2.0 * limit.share;
-    matrix_(count + k, limit.direction) = -1.0;
+    matrix.col(limit.normal).head(count) -= limit.share * couplings.col(limit.direction);
+    matrix(limit.direction, count + k) = 1.0;
+    matrix(count + k, limit.normal) = 2.0 * limit.share;
+    matrix(count + k, limit.direction) = -1.0;
   }
-  if (!lcp_.pivot(matrix_, beyond_)) return false;
+  if (!lcp_.pivot(matrix, beyond.col(0))) return false;
 
   const auto z = lcp_.solution();
   auto limit = limited_.begin();

@@ -45,9 +45,10 @@ class PivotedContacts {
   std::vector<Direction> directions_;
   std::vector<int> normals_;  // directions
   std::vector<Limited> limited_;
-  Eigen::MatrixXd coupling_;
-  Eigen::MatrixXd matrix_;
-  Eigen::VectorXd beyond_;
+  // Memory of matrices, which keeps what it has held.
+  std::vector<double> coupling_;
+  std::vector<double> matrix_;
+  std::vector<double> beyond_;
   LcpSolver lcp_;
 };
 

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <gtest/gtest.h>
 
+#include "physics/contact/pivoted_contacts.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/impact/simultaneous_impact.h"
 #include "physics/run/run_setup.h"
@@ -100,6 +101,34 @@ TEST(Allocation, NoneInAWarmSimultaneousImpact) {
     if (call == 0) before = allocations;
   }
   EXPECT_EQ(allocations - before, 0);
+}
+
+// As many contacts as before, and fewer.
+TEST(Allocation, NoneInAWarmPivot) {
+#ifndef CAROM_COUNTS_ALLOCATIONS
+  GTEST_SKIP() << "needs glibc's malloc, without sanitizers";
+#endif
+  std::vector<SolverBody> bodies(2);
+  bodies[1].inverse_mass = bodies[1].inverse_inertia = 1.0;
+  bodies[1].free_vy = -1.0;
+  std::vector<ContactRow> rows(4);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ContactRow& row = rows[i];
+    row.a = BodyIndex{0};
+    row.b = BodyIndex{1};
+    row.ny = 1.0;
+    row.arm_nb = static_cast<double>(i) - 1.5;
+    row.arm_tb = -0.5;
+    row.mass_n = 1.0 / (1.0 + row.arm_nb * row.arm_nb);
+    row.mass_t = 0.8;
+    row.friction = 0.5;
+  }
+  PivotedContacts contacts;
+  ASSERT_TRUE(contacts.solve(rows, bodies, 1e-6));
+  const long before = allocations;
+  EXPECT_TRUE(contacts.solve(rows, bodies, 1e-6));
+  EXPECT_TRUE(contacts.solve(std::span(rows).first(2), bodies, 1e-6));
+  EXPECT_EQ(allocations, before);
 }
 
 TEST(Allocation, NoneInAWarmContactSolve) {
