@@ -243,6 +243,13 @@ Worker::EditId LabRuns::keep(Worker::EditId again) {
   const auto left = left_.find(edit);
   left->second.returned = false;
   left->second.recorders = recorders_;
+  // Of a run that was added just before, the first frame may have come since.
+  if (left->second.frames.size() != recorders_.size()) {
+    left->second.frames = frames_;
+    left->second.scene = scene_;
+    left->second.playhead = playhead_;
+    left->second.stand_still();
+  }
   left->second.before = before_;
   if (have_begun()) leave_run();
   for (auto& recorder : recorders_) recorder = std::make_shared<Recorder>();
@@ -369,7 +376,8 @@ void LabRuns::take_back(Entered& run) {
   picks_last_ = false;
   forget_wait();
   run.kept = worker_.keep_taken_back();
-  Left left{.frames = frames_, .scene = scene_, .playhead = playhead_, .returned = true};
+  // What is shown until the first frame has come is the run before.
+  Left left{.frames = begins_ ? Frames() : frames_, .scene = scene_, .playhead = playhead_, .returned = true};
   left.stand_still();
   left.recorders = recorders_;
   left.before = before_;

@@ -39,8 +39,8 @@ class LabRuns : public QObject {
   [[nodiscard]] bool slow() const;
   // Runs to `time` as fast as possible; returns when it is reached, or when a run is lost.
   void run_until(double time);
-  // Pauses the runs and calls `then` when the newest frame has arrived. Any change of the runs, or playing,
-  // drops `then`. `what` is shown meanwhile.
+  // Pauses the runs and calls `then` when the newest frame has arrived; at once if none has been shown. Any
+  // change of the runs, or playing, drops `then`. `what` is shown meanwhile.
   void when_still(const QString& what, std::function<void()> then);
   void forget_wait();
   [[nodiscard]] const QString& waits() const { return waits_; }

@@ -57,7 +57,15 @@ class Hasty {
         return wait();
     }
   }
-  int looks = 0;
+
+  void look() {
+    const LabRuns& runs = session_.runs();
+    if (runs.frames().empty()) return;
+    ASSERT_EQ(runs.recorders().size(), runs.frames().size());
+    for (const auto& recorder : runs.recorders()) ASSERT_NE(recorder, nullptr);
+    ASSERT_EQ(runs.newest().size(), runs.frames().size());
+    ASSERT_LE(runs.frame()->bodies->size(), session_.history().bodies().size());
+  }
 
  private:
   void open() {
@@ -100,15 +108,6 @@ class Hasty {
       QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
     } while (clock.elapsed() < ms);
   }
-  void look() {
-    const LabRuns& runs = session_.runs();
-    ++looks;
-    if (runs.frames().empty()) return;
-    ASSERT_EQ(runs.recorders().size(), runs.frames().size());
-    for (const auto& recorder : runs.recorders()) ASSERT_NE(recorder, nullptr);
-    ASSERT_EQ(runs.newest().size(), runs.frames().size());
-    ASSERT_LE(runs.frame()->bodies->size(), session_.history().bodies().size());
-  }
 
   std::mt19937 random_;
   Session session_;
@@ -121,9 +120,9 @@ TEST(SessionHasty, EachFrameThatIsShownHasItsRecord) {
     Hasty hasty(seed);
     for (int i = 0; i < 300; ++i) {
       hasty.act();
+      hasty.look();
       if (testing::Test::HasFatalFailure()) return;
     }
-    EXPECT_GT(hasty.looks, 0);
   }
 }
 

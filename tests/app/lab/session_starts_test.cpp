@@ -56,6 +56,39 @@ TEST_F(SessionStartsTest, ARestartIsAStepThatBringsTheWholeRunBack) {
   expect_undo_and_redo(before, after);
 }
 
+TEST_F(SessionStartsTest, ARestartKeepsTheRecordOfARunThatHasShownNothingYet) {
+  run_to(0.8);
+  Method method = session_.document().method;
+  method.step *= 0.5;
+  session_.methods().add(method);
+  session_.starts().restart();  // before a frame of the new run has come
+  settle();
+  undo();
+  const Shown before = shown();
+  ASSERT_EQ(before.runs.size(), 2);
+  redo();
+  undo();
+  expect_same(shown(), before);
+  session_.edits().redo();
+  session_.edits().undo();  // at once
+  settle();
+  expect_same(shown(), before);
+}
+
+// Until its first frame comes, the picture of the run before stays.
+TEST_F(SessionStartsTest, ARunThatHasShownNothingYetIsAtItsStart) {
+  run_to(0.8);
+  session_.starts().restart();
+  session_.starts().set_playing(true);
+  session_.edits().undo();
+  EXPECT_FALSE(session_.runs().have_begun());
+  session_.edits().redo();
+  EXPECT_FALSE(session_.runs().have_begun());
+  settle();
+  undo();
+  EXPECT_EQ(session_.runs().frame()->time, 0.0);
+}
+
 TEST_F(SessionStartsTest, WhereNothingHasRunARestartIsNoStep) {
   session_.starts().restart();
   session_.starts().restart();
