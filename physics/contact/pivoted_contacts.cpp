@@ -88,7 +88,7 @@ bool PivotedContacts::solve(std::span<ContactRow> rows, std::span<const SolverBo
     matrix(count + k, limit.normal) = 2.0 * limit.share;
     matrix(count + k, limit.direction) = -1.0;
   }
-  if (!lcp_.pivot(matrix, beyond.col(0))) return false;
+  if (!lcp_.solve_by_pivoting(matrix, beyond.col(0))) return false;
 
   const auto z = lcp_.solution();
   auto limit = limited_.begin();

@@ -14,15 +14,15 @@ namespace carom {
 //
 // Friction in the plane: λ_t = σ - μ λ_n with 0 <= σ <= 2 μ λ_n. With w the velocities beyond their targets,
 //   0 <= λ_n ⟂ w_n >= 0,  0 <= σ ⟂ w_t + τ >= 0,  0 <= τ ⟂ 2 μ λ_n - σ >= 0,
-// and the same for rolling with its own arm ρ instead of μ. The matrix of (λ_n, σ, τ) is copositive: z·M z is
-// twice the energy of the impulses plus 2 μ λ_n·τ (D. E. Stewart and J. C. Trinkle, International Journal for
-// Numerical Methods in Engineering 39 (1996) 2673).
+// and the same for rolling with its own arm ρ instead of μ (the law of D. E. Stewart and J. C. Trinkle,
+// International Journal for Numerical Methods in Engineering 39 (1996) 2673, with one unknown less a contact).
+// The matrix of (λ_n, σ, τ) is not copositive for large μ, so that pivoting may end without an answer.
 class PivotedContacts {
  public:
   // The impulses that change the free velocities of these bodies as the laws of the contacts ask. False, with
   // the impulses as before, if none were found. Of redundant impulses those of rigid contacts are such that
   // some do all they can and others nothing; a `compliance` shares the load: each impulse λ along a direction
-  // leaves a velocity of K λ times that, for the next solver to remove.
+  // leaves a velocity of -K λ times that, for the next solver to remove.
   [[nodiscard]] bool solve(std::span<ContactRow> rows, std::span<const SolverBody> bodies, double compliance);
 
  private:

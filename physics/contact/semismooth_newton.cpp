@@ -31,7 +31,7 @@ constexpr int kFirstSweeps = 32;  // after a failed step, then twice as many
 constexpr int kMostSweeps = 1024;
 constexpr std::size_t kMostPivoted = 64;  // contacts: more take longer than sweeps
 constexpr double kCompliance = 1e-6;      // of pivoted contacts, so that they share their load
-// Of the largest impulse that any may be: pivoted ones press jammed bodies as hard as it happens.
+// Of the largest impulse that any may be: pivoting may return any pressure between jammed bodies.
 constexpr double kPivotedStress = 1e-2;
 constexpr double kFar = 1e3;  // tolerances: so much is left to do that sharing does not count
 
@@ -300,7 +300,7 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
       stiffness_ = std::max(kLeastStiffness, stiffness_ / kSofter);
       if (sweeps > sweeps_left || result.residual <= options.enough) break;
       if (pivots_left > 0 && (pivots_left > 1 || result.residual > kFar * options.tolerance) &&
-          pivoted_.solve(rows, bodies, --pivots_left > 0 ? kCompliance : 0.0)) {
+          pivoted_.solve(rows, bodies, --pivots_left > 0 && left > 0 ? kCompliance : 0.0)) {
         apply_all(rows, bodies);
         if (largest_impulse(rows) <= kPivotedStress * options.most_impulse) {
           last = measure();

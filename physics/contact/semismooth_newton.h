@@ -36,9 +36,9 @@ struct NewtonResult {
 // sticking, sliding ±) it is a linear system in v⁺, positive definite if nothing slides, however redundant.
 // Newton's method on v⁺ finds the states; the outer iteration removes the error that 1/r left and raises r.
 // All is solved for increments, so the answer is exact to rounding. If a step does not reduce the system's
-// residual, a small island is pivoted (PivotedContacts); in a larger one, or where that finds nothing,
-// Gauss-Seidel sweeps continue from the best impulses so far, and r falls. With friction their convergence is
-// not guaranteed; the result reports it. Alart and Curnier, Computer Methods in Applied
+// residual, a small island is pivoted, twice at most (PivotedContacts); in a larger one, or where that finds
+// nothing or presses jammed bodies too hard, Gauss-Seidel sweeps go on, and r falls. With friction their
+// convergence is not guaranteed; the result reports it. Alart and Curnier, Computer Methods in Applied
 // Mechanics and Engineering 92 (1991) 353; Rockafellar, SIAM Journal on Control and Optimization 14 (1976)
 // 877.
 class SemismoothNewton {

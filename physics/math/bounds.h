@@ -10,7 +10,7 @@ struct Bounds {
   Eigen::Array2d high;
 
   [[nodiscard]] bool overlaps(const Bounds& other) const {
-    // Without branches, because it is unpredictable which comparison fails.
+    // Without branches, because it is unpredictable which comparison fails. Of numbers, and of -∞ to ∞.
     return (low - other.high).max(other.low - high).maxCoeff() <= 0.0;
   }
   [[nodiscard]] bool contains(const Bounds& other) const {

@@ -127,7 +127,8 @@ bool LcpSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& m, const Eigen::R
   return false;
 }
 
-bool LcpSolver::pivot(const Eigen::Ref<const Eigen::MatrixXd>& m, const Eigen::Ref<const Eigen::VectorXd>& q) {
+bool LcpSolver::solve_by_pivoting(const Eigen::Ref<const Eigen::MatrixXd>& m,
+                                  const Eigen::Ref<const Eigen::VectorXd>& q) {
   return begin(q) || solve_with(m, q, 0.0);
 }
 
@@ -145,7 +146,9 @@ bool LcpSolver::solve_with(const Eigen::Ref<const Eigen::MatrixXd>& m,
     for (int i = 0; i < size_; ++i) {
       double w = q[i];
       for (int j = 0; j < size_; ++j) w += m(i, j) * z_[j];
-      worst = std::max(worst, std::max(-w, std::min(w, z_[i])));
+      const double error = std::max(-w, std::min(w, z_[i]));
+      if (std::isnan(error)) return false;
+      worst = std::max(worst, error);
       largest = std::max(largest, z_[i]);
     }
     worst /= largest;

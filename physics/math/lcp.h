@@ -23,9 +23,9 @@ class LcpSolver {
   // M is n x n, q has n entries. False if no solution was found.
   [[nodiscard]] bool solve(const Eigen::Ref<const Eigen::MatrixXd>& m,
                            const Eigen::Ref<const Eigen::VectorXd>& q);
-  // The same by pivoting alone, in less time where there is no solution.
-  [[nodiscard]] bool pivot(const Eigen::Ref<const Eigen::MatrixXd>& m,
-                           const Eigen::Ref<const Eigen::VectorXd>& q);
+  // The same by pivoting alone, for any matrix: in less time where it ends without a solution.
+  [[nodiscard]] bool solve_by_pivoting(const Eigen::Ref<const Eigen::MatrixXd>& m,
+                                       const Eigen::Ref<const Eigen::VectorXd>& q);
 
   // z of the last problem, if it was solved.
   [[nodiscard]] Eigen::Map<const Eigen::VectorXd> solution() const { return {z_.data(), size_}; }
