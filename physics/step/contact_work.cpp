@@ -7,6 +7,7 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/vectors.h"
 #include "physics/step/contact_arms.h"
+#include "physics/step/pair_motion.h"
 
 namespace carom {
 namespace {
@@ -22,6 +23,24 @@ Vec2 mean_place(World& world, double passed, const GuessedFlight& flight, BodyIn
   const Vec2 bend = world.trajectories.at(body, passed).head<2>() - from - straight - by_contacts;
   return from + 0.5 * straight + bend / 3.0;
 }
+
+// Whether bodies land here: a contact is new, or open by more than a method of order 1 leaves where a surface
+// turns away.
+bool is_landing(const World& world, const FoundContacts& found, int i) {
+  if (found.is_new(i)) return true;
+  const Contacts& c = found.contacts;
+  double touching = touch_tolerance(world, c.a[i], c.b[i]);
+  if (choice_of(kIntegrators, world.method.integrator).order == 1)
+    touching += found.press[static_cast<std::size_t>(i)] * world.method.step * world.method.step;
+  return c.gap[i] > touching;
+}
+
+// J: what contact impulses take along the normals, along the tangents and from rolling.
+struct Losses {
+  double normal = 0.0;
+  double tangential = 0.0;
+  double rolling = 0.0;
+};
 
 // `place(body)`: where the side that moves is on the mean, in m; with the arm from there, impulses change its
 // angular momentum by their moment about the origin.
@@ -44,9 +63,9 @@ void record_impulses(World& world, const Contacts& c, int i, double share, const
 
 }  // namespace
 
-void record_support(World& world, const Contacts& c, const GaussContacts& linear, double share,
+void record_support(World& world, const FoundContacts& found, const GaussContacts& linear, double share,
                     const Eigen::Matrix3Xd& mean, double passed, const GuessedFlight& flight) {
-  Ledger& ledger = world.sums.ledger;
+  const Contacts& c = found.contacts;
   // m: from the middle of a body's path to where its contacts' arms start. Those leave out what the contact
   // forces themselves do, which all together do no work there.
   const auto off = [&](BodyIndex body) -> Vec2 {
@@ -54,34 +73,39 @@ void record_support(World& world, const Contacts& c, const GaussContacts& linear
     return arm_start(world, passed / share, flight, body) - world.state.position(body) -
            0.5 * passed * mean.col(body).head<2>();
   };
+  Losses lost;
   for (int i = 0; i < c.size(); ++i) {
     if (c.normal_impulse[i] == 0.0 || linear.has(i)) continue;
     RowVelocity u = contact_velocity(c, i, mean);
     u.tangential +=
         mean.col(c.b[i])[2] * off(c.b[i]).dot(c.normal[i]) - mean.col(c.a[i])[2] * off(c.a[i]).dot(c.normal[i]);
-    ledger.lost_to_friction += std::max(0.0, -share * c.tangential_impulse[i] * u.tangential);
-    ledger.lost_to_rolling += std::max(0.0, -share * c.rolling_impulse[i] * u.spin);
+    if (is_landing(world, found, i)) lost.normal -= share * c.normal_impulse[i] * u.normal;
+    lost.tangential -= share * c.tangential_impulse[i] * u.tangential;
+    lost.rolling -= share * c.rolling_impulse[i] * u.spin;
     record_impulses(world, c, i, share, mean,
                     [&](BodyIndex body) { return mean_place(world, passed, flight, body); });
   }
+  // What it is for one contact may be negative, as contacts of one body pass energy on to each other.
+  Ledger& ledger = world.sums.ledger;
+  ledger.lost_to_restitution += std::max(0.0, lost.normal);
+  ledger.lost_to_friction += std::max(0.0, lost.tangential);
+  ledger.lost_to_rolling += std::max(0.0, lost.rolling);
 }
 
 void record_stops(World& world, const Contacts& c, const Eigen::Matrix3Xd& mean) {
-  double normal = 0.0;
-  double tangential = 0.0;
-  double rolling = 0.0;
+  Losses lost;
   for (int i = 0; i < c.size(); ++i) {
     if (c.normal_impulse[i] == 0.0) continue;
     const RowVelocity u = contact_velocity(c, i, mean);
-    normal -= c.normal_impulse[i] * u.normal;
-    tangential -= c.tangential_impulse[i] * u.tangential;
-    rolling -= c.rolling_impulse[i] * u.spin;
+    lost.normal -= c.normal_impulse[i] * u.normal;
+    lost.tangential -= c.tangential_impulse[i] * u.tangential;
+    lost.rolling -= c.rolling_impulse[i] * u.spin;
     record_impulses(world, c, i, 1.0, mean, [&](BodyIndex body) { return Vec2(world.state.position(body)); });
   }
   // Where normals and tangents are coupled, energy passes from one to the other; only the sum is lost.
-  const double all = std::max(0.0, normal + tangential + rolling);
-  const double rubbed = std::clamp(tangential, 0.0, all);
-  const double rolled = std::clamp(rolling, 0.0, all - rubbed);
+  const double all = std::max(0.0, lost.normal + lost.tangential + lost.rolling);
+  const double rubbed = std::clamp(lost.tangential, 0.0, all);
+  const double rolled = std::clamp(lost.rolling, 0.0, all - rubbed);
   Ledger& ledger = world.sums.ledger;
   ledger.lost_to_friction += rubbed;
   ledger.lost_to_rolling += rolled;

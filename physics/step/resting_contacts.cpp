@@ -230,9 +230,12 @@ int RestingContacts::parts_at_once(const World& world, double h) {
 
 double RestingContacts::hold(World& world, double h, double least) {
   linear_.clear();
-  memory_.forces.clear();
-  memory_.support.clear();
+  const auto forget = [this] {
+    memory_.forces.clear();
+    memory_.support.clear();
+  };
   if (found_.contacts.size() == 0) {
+    forget();
     pressing_.update(world, memory_);
     return h;
   }
@@ -246,6 +249,7 @@ double RestingContacts::hold(World& world, double h, double least) {
     find_contacts(world, h);
     return hold(world, h, least);
   }
+  forget();
   read_velocities(world);
   stop_approaches(world, h);
   find_forces(world, h);
@@ -326,7 +330,7 @@ void RestingContacts::project_penetrations(World& world) {
 // Euler methods, whose paths are not those of their velocities, it is the work along the velocities without
 // impacts.
 void RestingContacts::record_forces(World& world, double passed, double share) {
-  if (found_.contacts.size() == 0) return;
+  if (found_.contacts.size() == 0 || !(passed > 0.0)) return;
   moved_ = before_ + 0.5 * share * (after_ - before_);
   if (choice_of(kIntegrators, world.method.integrator).exact_under_gravity) {
     for (BodyIndex i{0}; i < world.state.size(); ++i) {
@@ -334,7 +338,7 @@ void RestingContacts::record_forces(World& world, double passed, double share) {
         moved_.col(i) = (world.trajectories.place(i, passed) - world.state.q.col(i)) / passed;
     }
   }
-  record_support(world, found_.contacts, linear_, share, moved_, passed, flight_);
+  record_support(world, found_, linear_, share, moved_, passed, flight_);
   linear_.record(world, passed);
   carry_forces(world, passed, finder_.neighbours(), memory_);
 }

@@ -172,9 +172,8 @@ void RestingContacts::strike(World& world, double h) {
     std::optional<Approach> at = rebound(world, a, b, parts);
     if (!at) return std::nullopt;
     // What comes to touch at the step's end, to rounding, meets in the next step.
-    if (-at->speed * (1.0 - kSameMoment) * h < at->contact.gap) return std::nullopt;
-    // Forces and joints may lead past each other what goes straight on into each other.
-    if (at->contact.gap > 0.0 && gap_in_flight(world, a, b, parts, h) > 0.0) return std::nullopt;
+    if (at->contact.gap > 0.0 && gap_in_flight(world, a, b, parts, h) > kSameMoment * h * at->speed)
+      return std::nullopt;
     if (several && on_internal_edge(world, a, b, at->contact, finder_.neighbours().of_pair(world, a, b), pose))
       return std::nullopt;
     return at;

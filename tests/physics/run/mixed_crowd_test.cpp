@@ -123,8 +123,8 @@ TEST(MixedCrowd, ComesToRestWithoutDeepPenetrations) {
 }
 
 // Discs and boxes that rattle for a second, hit after hit in every step: they come to rest, what parts them
-// lifts them little, and what is booked as lost is lost. In per cent of the energy that is lost: 0.6 and 1.5 at
-// most.
+// lifts them little, and what is booked as lost is lost: neither steps that gain energy nor those that lose more
+// add up to more than 0.1 per cent of it.
 TEST(MixedCrowd, WhatRattlesIsNeitherLiftedNorMakesEnergy) {
   for (const std::uint64_t seed : {6, 7}) {
     for (const double restitution : {0.3, 0.6}) {
@@ -142,8 +142,8 @@ TEST(MixedCrowd, WhatRattlesIsNeitherLiftedNorMakesEnergy) {
       const double lost = before - run.totals().energy();
       EXPECT_LT(run.totals().kinetic(), 1e-4 * lost);
       EXPECT_LT(run.ledger().penetration_correction, 0.03 * lost);
-      EXPECT_LT(std::abs(drift), 0.015 * lost);
-      EXPECT_LT(gained, 5e-4 * lost);
+      EXPECT_LT(gained, 1e-3 * lost);
+      EXPECT_LT(gained - drift, 1e-3 * lost);
       EXPECT_LT(deepest(run), 1e-4);
     }
   }
