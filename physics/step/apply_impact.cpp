@@ -10,6 +10,7 @@
 #include "physics/impact/jointed_impact.h"
 #include "physics/ledger/step_limits.h"
 #include "physics/math/vectors.h"
+#include "physics/step/face_impact.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -96,8 +97,12 @@ struct SmoothImpact {
         velocity_b(world.trajectories.at_start(b).segment<2>(3)),
         normal(contact.normal) {}
   static bool joins(const SurfaceLaw&) { return false; }
+  static std::optional<FaceImpact> of_face(World&, BodyIndex, BodyIndex, const Contact&, const SurfaceLaw&) {
+    return std::nullopt;
+  }
   [[nodiscard]] double closing() const { return -Vec2(velocity_b - velocity_a).dot(normal); }
-  Impact resolve(World& world, BodyIndex a, BodyIndex b, const Contact&, const SurfaceLaw& material) {
+  Impact resolve(World& world, BodyIndex a, BodyIndex b, const Contact&, const SurfaceLaw& material,
+                 const std::optional<FaceImpact>&) {
     const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
     const Impact impact = resolve_smooth_impact(velocity_a, inverse_mass[a], velocity_b, inverse_mass[b],
                                                 normal, material.restitution);
@@ -119,13 +124,20 @@ struct GeneralImpact {
         side_b(world.side(b, contact, -1.0)),
         closing_speed(-relative_velocity(side_a, side_b, contact.normal).normal) {}
   static bool joins(const SurfaceLaw& material) { return material.sticks; }
+  static std::optional<FaceImpact> of_face(World& world, BodyIndex a, BodyIndex b, const Contact& contact,
+                                           const SurfaceLaw& material) {
+    return face_impact(world, a, b, contact, material);
+  }
   [[nodiscard]] double closing() const { return closing_speed; }
-  Impact resolve(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const SurfaceLaw& material) {
+  Impact resolve(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const SurfaceLaw& material,
+                 const std::optional<FaceImpact>& face) {
     Trajectories& trajectories = world.trajectories;
     const ImpactLawId law = world.model->impact_law;
     Impact impact;
     if (joins(material)) {
       impact = join(world, a, b, contact);
+    } else if (face && face->impact && apply_face_impulse(world, a, b, contact, *face->impact)) {
+      impact = *face->impact;
     } else if (trajectories.is_jointed(a) || trajectories.is_jointed(b)) {
       impact = resolve_jointed_impact(trajectories, world.mass(), a, b, contact, material, law);
     } else {
@@ -147,7 +159,9 @@ template <class Kind>
 ImpactEffect apply(World& world, BodyIndex a, BodyIndex b, const Contact& at, const SurfaceLaw& material,
                    double within) {
   const bool joins = Kind::joins(material);
-  const Contact contact = joins ? moved_together(world, a, b, at) : at;
+  Contact contact = joins ? moved_together(world, a, b, at) : at;
+  const std::optional<FaceImpact> face = Kind::of_face(world, a, b, contact, material);
+  if (face) contact.point = face->point;
   Kind of_pair(world, a, b, contact);
   const double closing = of_pair.closing();
   // Semi-implicit Euler's path x + t v(t) may close again, from a penetration, while v(t) still separates the
@@ -160,7 +174,7 @@ ImpactEffect apply(World& world, BodyIndex a, BodyIndex b, const Contact& at, co
     jump->before = world.state_at(within);
     jump->change.add(-1.0, ledger);
   }
-  const Impact impact = of_pair.resolve(world, a, b, contact, material);
+  const Impact impact = of_pair.resolve(world, a, b, contact, material, face);
   const ImpactEffect effect = joins ? ImpactEffect::kJoined : ImpactEffect::kBounced;
   record_impact(world, a, b, contact, impact, closing, within);
   if (effect == ImpactEffect::kBounced) record_impulse(world, a, b, contact, impact);

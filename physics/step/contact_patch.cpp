@@ -30,13 +30,6 @@ void each_of_one(const World& world, BodyIndex body, const Visit& visit) {
   }
 }
 
-// The stretch in which two rigid bodies touch: from `low` to `high` along the tangent, from the contact's
-// point.
-struct Stretch {
-  double low = 0.0;   // m
-  double high = 0.0;  // m
-};
-
 // Calls visit(i, j, at, parts) for each point where two parts touch in that stretch, i one with a and j with b:
 // where, in m along the tangent from the contact's point. Points of the same parts follow each other.
 template <class Visit>
@@ -62,14 +55,6 @@ void each_touch(const World& world, BodyIndex a, BodyIndex b, const Contact& con
       });
     });
   });
-}
-
-Stretch stretch_of(const World& world, BodyIndex a, BodyIndex b, const Contact& contact) {
-  Stretch stretch;
-  each_touch(world, a, b, contact, [&](BodyIndex, BodyIndex, double at, const ShapePair&) {
-    stretch = {std::min(stretch.low, at), std::max(stretch.high, at)};
-  });
-  return stretch;
 }
 
 // How the ends of a stretch move along the normal: their velocities, and the velocity of end i by a unit
@@ -109,19 +94,28 @@ EndMotion motion_of_ends(World& world, BodyIndex a, BodyIndex b, const Vec2& nor
 
 }  // namespace
 
-Contact pressed_contact(World& world, BodyIndex a, BodyIndex b, const Contact& contact) {
+std::optional<Stretch> stretch_of(const World& world, BodyIndex a, BodyIndex b, const Contact& contact) {
   const Geometry& g = world.shapes();
   const WeldedBodies& welded = world.trajectories.welded();
   const auto has_no_stretch = [&](BodyIndex i) { return g.is_disc(i) && !welded.is_welded(i); };
   if (has_no_stretch(a) || has_no_stretch(b)) {
     // A disc touches a body that is one piece at one point.
-    if (!welded.is_welded(a) && !welded.is_welded(b)) return contact;
-    if (has_no_stretch(a) && has_no_stretch(b)) return contact;
+    if (!welded.is_welded(a) && !welded.is_welded(b)) return std::nullopt;
+    if (has_no_stretch(a) && has_no_stretch(b)) return std::nullopt;
   }
-  const Stretch stretch = stretch_of(world, a, b, contact);
-  if (!(stretch.high - stretch.low > kTogether * (g.size[a] + g.size[b]))) return contact;
+  Stretch stretch;
+  each_touch(world, a, b, contact, [&](BodyIndex, BodyIndex, double at, const ShapePair&) {
+    stretch = {std::min(stretch.low, at), std::max(stretch.high, at)};
+  });
+  if (!(stretch.high - stretch.low > kTogether * (g.size[a] + g.size[b]))) return std::nullopt;
+  return stretch;
+}
+
+Contact pressed_contact(World& world, BodyIndex a, BodyIndex b, const Contact& contact) {
+  const std::optional<Stretch> stretch = stretch_of(world, a, b, contact);
+  if (!stretch) return contact;
   const Vec2 along = crossed(contact.normal);
-  const std::array<double, 2> at = {stretch.low, stretch.high};
+  const std::array<double, 2> at = {stretch->low, stretch->high};
   const auto [u, k] = motion_of_ends(world, a, b, contact.normal,
                                      {contact.point + at[0] * along, contact.point + at[1] * along});
   const double determinant = k[0][0] * k[1][1] - k[0][1] * k[1][0];

@@ -1,9 +1,21 @@
 #pragma once
 
+#include <optional>
+
 #include "physics/collision/contact.h"
 #include "physics/step/world.h"
 
 namespace carom {
+
+// The stretch in which two bodies touch: from `low` to `high` along the tangent, from a contact's point.
+struct Stretch {
+  double low = 0.0;   // m
+  double high = 0.0;  // m
+};
+
+// That of bodies a < b at the start of the trajectories; none where they touch at one point.
+[[nodiscard]] std::optional<Stretch> stretch_of(const World& world, BodyIndex a, BodyIndex b,
+                                                const Contact& contact);
 
 // Where the normal impulse of an impact acts, if bodies a < b touch along a stretch: faces that meet flat, or
 // several parts of bodies that are welded together. At both ends of the stretch the impulse must stop the

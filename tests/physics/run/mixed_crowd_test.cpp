@@ -123,8 +123,8 @@ TEST(MixedCrowd, ComesToRestWithoutDeepPenetrations) {
 }
 
 // Discs and boxes that rattle for a second, hit after hit in every step: they come to rest, what parts them
-// lifts them little, and what is booked as lost is lost: neither steps that gain energy nor those that lose more
-// add up to more than 0.1 per cent of it.
+// lifts them little, and what is booked as lost is lost: neither steps that gain energy nor those that lose
+// more add up to more than 0.1 per cent of it.
 TEST(MixedCrowd, WhatRattlesIsNeitherLiftedNorMakesEnergy) {
   for (const std::uint64_t seed : {6, 7}) {
     for (const double restitution : {0.3, 0.6}) {
