@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "physics/contact/contact_velocity.h"
+#include "physics/math/vectors.h"
 #include "physics/step/coming_to_rest.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
@@ -25,6 +26,8 @@ constexpr int kPushes = 2;
 // goes on from it.
 constexpr double kSamePlace = 0.02;
 constexpr double kSameNormal = 0.95;
+// Tips that meet close along both normals, along one at least so much as fast as along the other.
+constexpr double kTipsClose = 1e-3;
 constexpr int kFirstCapacity = 64;  // for contacts
 // Of the smaller body's size, in a part of a step: what moves farther against another one meets it in time.
 constexpr double kMostPassing = 0.2;
@@ -170,7 +173,7 @@ void ContactFinder::find(World& world, double step_length, double h, const Conta
                   [&, a = a, b = b](const Manifold& m) {
                     while (last < forces.size() && std::pair(forces[last].a, forces[last].b) < std::pair(a, b))
                       ++last;
-                    add(step, a, b, exposed(step, a, b, m), rounding, last);
+                    add(step, a, b, where_tips_meet(world, a, b, exposed(step, a, b, m)), rounding, last);
                   });
     // A pair without support is left to the event queue.
     if (supported_.empty() || supported_.back() != std::pair(a, b)) found.landings.resize(landings);
@@ -208,6 +211,40 @@ Manifold ContactFinder::exposed(const Step& step, BodyIndex a, BodyIndex b, cons
       [&](const ManifoldPoint& continued) {
         if (continued.gap <= kFlush * size || was_held(world, step.memory.forces, a, b)) support(a, b, 0.0);
       });
+}
+
+// Tips that meet do so along the middle of their normals, as in impacts. What slides along a face past a corner
+// closes along one of these normals at most.
+Manifold ContactFinder::where_tips_meet(const World& world, BodyIndex a, BodyIndex b, const Manifold& m) const {
+  const ShapePair parts = world.shapes().parts_or_first(m.parts, a, b);
+  const auto has_tips = [&](ShapeIndex part) {
+    const Core core = world.shapes().shapes.core[part];
+    return core == Core::kBox || core == Core::kPolygon;
+  };
+  if (!has_tips(parts.a) || !has_tips(parts.b)) return m;
+  // The one point that touches, or the ends of a stretch that is none.
+  const double touching = kTogether * (world.shapes().size[a] + world.shapes().size[b]);
+  const auto is_open = [&](int k) { return m.points[static_cast<std::size_t>(k)].gap > touching; };
+  const int at = is_open(0) ? 1 : 0;
+  if (at >= m.count || is_open(at)) return m;
+  const bool has_stretch =
+      m.count == 2 && !is_open(1 - at) && (m.points[1].point - m.points[0].point).norm() > touching;
+  if (has_stretch) return m;
+  const Contact contact = m.contact(at);
+  const double closing = -world.parting_speed(a, b, contact);
+  if (!(closing > 0.0)) return m;
+  const Contact tips = contact_again(world.shapes(), a, poses_[a], b, poses_[b], contact);
+  if (std::abs(cross(tips.normal, m.normal)) <= kTogether || (tips.point - contact.point).norm() > touching)
+    return m;
+  Contact other = contact;
+  other.normal = 2.0 * m.normal.dot(tips.normal) * tips.normal - m.normal;
+  const double other_closing = -world.parting_speed(a, b, other);
+  if (!(std::min(closing, other_closing) > kTipsClose * std::max(closing, other_closing))) return m;
+  Manifold met = m;
+  met.count = 1;
+  met.normal = tips.normal;
+  met.points[0] = {tips.point, tips.gap, m.points[static_cast<std::size_t>(at)].id};
+  return met;
 }
 
 // Adds the points of a manifold that rest, and those that will land; `last` is the pair's first last force.

@@ -108,6 +108,7 @@ class ContactFinder {
   [[nodiscard]] double turned_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m,
                                    double along_it, double rounding) const;
   [[nodiscard]] Manifold exposed(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m);
+  [[nodiscard]] Manifold where_tips_meet(const World& world, BodyIndex a, BodyIndex b, const Manifold& m) const;
   void add(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m, double rounding, std::size_t last);
 
   void let_fast_bodies_push(World& world);

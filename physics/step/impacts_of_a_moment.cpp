@@ -68,12 +68,22 @@ bool EventDrivenImpacts::find_touches(World& world, BodyIndex a, BodyIndex b, do
   found_.clear();
   bool touch = false;
   each_manifold(shapes, a, shapes.pose(a, qa), b, shapes.pose(b, qb), margin, [&](const Manifold& ends) {
+    int count = 0;
     for (int k = 0; k < ends.count; ++k) {
       const Contact contact = ends.contact(k);
       if (contact.gap > margin || on_internal_edge(world, a, b, contact, near_, pose)) continue;
+      ++count;
       touch = touch || contact.gap <= tolerance;
       found_.push_back(contact);
     }
+    // One point may be where tips meet.
+    if (count == 0) return;
+    const Contact last = found_.back();
+    if (count == 2 && (found_[found_.size() - 2].point - last.point).norm() > margin) return;
+    const Contact tips = contact_again(shapes, a, shapes.pose(a, qa), b, shapes.pose(b, qb), last);
+    if ((tips.point - last.point).norm() > margin) return;
+    if (count == 2) found_.pop_back();
+    found_.back() = tips;
   });
   if (!touch) return false;
   for (const Contact& contact : found_) cluster_.add(a, b, contact);
@@ -181,7 +191,7 @@ bool EventDrivenImpacts::find_of_clay(World& world, BodyIndex a, BodyIndex b, do
     return is_of_clay(world.material(contact, c, d));
   };
   if (at_once_work_ > kMostWork || !of_clay({}, a, b)) return false;
-  find_touching(world, a, b, time, 1.0);
+  find_touching(world, a, b, time, kRoundings);
   cluster_.keep_connected_of(world, a, b, of_clay);
   return cluster_.touches().size() <= kMostTogether && cluster_.has_several(world);
 }

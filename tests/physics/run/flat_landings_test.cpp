@@ -251,6 +251,51 @@ TEST(FlatLandings, FrictionTurnsAFaceOnlyAboutItsEnd) {
   });
 }
 
+// Hexagons that meet tip to tip without rebound go on together, and none turns: in free space and on a track,
+// where their tips may come to touch at a step's end.
+TEST(FlatLandings, TipsMeetStraightWithoutRebound) {
+  const auto hexagon = [](const char* name, double x, double half, double speed, double mass) {
+    Body body = test::disc(name, {x, 0.05}, {speed, 0.0}, 0.1, mass);
+    body.shape = Polygon{
+        {{-half, -0.05}, {half, -0.05}, {2.0 * half, 0.0}, {half, 0.05}, {-half, 0.05}, {-2.0 * half, 0.0}}};
+    return body;
+  };
+  for_every_way([&](Method method) {
+    for (const double h : {0.001, 0.005, 1.0 / 60.0}) {
+      for (const double turned : {0.0, 0.3, -1.1}) {
+        for (const bool on_track : {false, true}) {
+          SCOPED_TRACE(testing::Message() << h << " " << turned << " " << on_track);
+          // At 0.4 m/s they meet after 0.325 s, at the end of a step of 5 ms.
+          RunSetup s = test::setup_with(
+              {test::wall("track", {0.0, -0.5}, 20.0, 1.0), hexagon("first", -0.5, 0.05, 0.4, 1.0),
+               hexagon("second", -0.12, 0.075, 0.0, 2.0)},
+              0.0);
+          if (!on_track) s.scene.bodies[0].position.y() = -5.0;
+          for (Body& body : s.scene.bodies) {
+            body.position = turned_by(turned, body.position);
+            body.velocity = turned_by(turned, body.velocity);
+            body.angle = turned;
+          }
+          if (on_track) s.scene.forces.gravity = turned_by(turned, {0.0, -kG});
+          method.step = h;
+          s.method = method;
+          Simulation run(s);
+          run.advance_to(0.7);
+          // Where impacts are not located, or gravity presses without contact forces, there is an error of the
+          // method.
+          const bool exact =
+              !on_track || (method.contacts == ContactsId::kLasting && method.impacts == ImpactsId::kLocated);
+          for (const int k : {1, 2}) {
+            const Vec2 v = turned_by(-turned, run.state().velocity(k));
+            EXPECT_NEAR(v.x(), 0.4 / 3.0, exact ? 1e-9 : 2e-3) << k;
+            EXPECT_NEAR(run.state().v(2, k), 0.0, exact ? 1e-9 : 0.1) << k;
+          }
+        }
+      }
+    }
+  });
+}
+
 // A light box with a heavy one on it rocks from corner to corner as it slides; while one corner rests, the
 // other one hits. Neither sinks into the other, and the last bounces end.
 TEST(FlatLandings, AStackThatRocksComesToRest) {

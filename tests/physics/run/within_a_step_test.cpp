@@ -310,5 +310,22 @@ TEST(WithinAStep, FacesThatTurnApartMissNoImpacts) {
   }
 }
 
+// Two discs on a belt meet at the very end of a step: the part of the next one until then has no length, and no
+// work is undefined.
+TEST(WithinAStep, AnImpactAtItsStartLeavesTheWorkOfADriveDefined) {
+  RunSetup s = setup(1.0, 0.0, 0.005);
+  Body belt = fixed("belt", Wall{}, {0.0, 0.0});
+  belt.fixed = false;
+  belt.drive = Drive{};
+  belt.drive->velocity = {0.7, 0.0};
+  s.scene.bodies = {belt, test::disc("first", {0.0, 0.1}, {1.1, 0.0}, 0.1),
+                    test::disc("second", {0.3, 0.1}, {0.7, 0.0}, 0.1)};
+  Simulation run(s);
+  run.advance_to(0.3);
+  EXPECT_EQ(run.impact_count(), 1);
+  EXPECT_NEAR(run.ledger().put_in_by_drives, 0.0, 1e-12);
+  EXPECT_NEAR(run.ledger().numerical_drift(run.totals().energy()), 0.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace carom
