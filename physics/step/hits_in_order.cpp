@@ -21,7 +21,7 @@ void take_connected(const World& world, std::vector<Hit>& from, std::size_t begi
 }
 
 bool is_later(const Hit& x, const Hit& y) {
-  return std::tuple(-x.moment, x.a, x.b) < std::tuple(-y.moment, y.a, y.b);
+  return std::tuple(x.moment, x.a, x.b) > std::tuple(y.moment, y.a, y.b);
 }
 
 // The hits of one moment that bodies connect, at once; false: they are not several, or there is no way.
@@ -53,7 +53,9 @@ void resolve_in_order(World& world, HitsInOrder& buffers, double h, double withi
     while (hits.size() > begin) {
       take_connected(world, hits, begin, together);
       if (resolve(world, cluster, together, within, all)) continue;
-      if (const ImpactCluster::Touch* only = cluster.only_one_left()) {
+      const ImpactCluster::Touch* only = cluster.only_one_left();
+      if (only == nullptr) only = cluster.acts_alone();
+      if (only != nullptr) {
         resolve_alone({only->a, only->b, only->contact});
         continue;
       }

@@ -243,9 +243,43 @@ const ImpactCluster::Touch* ImpactCluster::acts_alone() const {
   return &touches_[static_cast<std::size_t>(first - impacts_.begin())];
 }
 
+// Of the impacts of one moment, only the sum of their losses is certain not to be negative, but for rounding:
+// each gets its part of that, of friction where friction took energy and of restitution where the normal
+// impulse did.
+void ImpactCluster::share_losses() {
+  Impact all;
+  double braked = 0.0;
+  double rubbed = 0.0;
+  for (const Impact& impact : impacts_) {
+    all.lost_to_restitution += impact.lost_to_restitution;
+    all.lost_to_friction += impact.lost_to_friction;
+    braked += std::max(0.0, impact.lost_to_restitution);
+    rubbed += std::max(0.0, impact.lost_to_friction);
+  }
+  if (all.lost_to_restitution >= 0.0 && all.lost_to_friction >= 0.0 && braked == all.lost_to_restitution &&
+      rubbed == all.lost_to_friction)
+    return;
+  const double lost = all.lost_to_restitution + all.lost_to_friction;
+  const double to_friction = std::clamp(all.lost_to_friction, 0.0, std::max(0.0, lost));
+  double left = lost - to_friction;
+  const auto part = [](double of, double share, double whole) {
+    return whole > 0.0 ? of * (std::max(0.0, share) / whole) : 0.0;
+  };
+  for (Impact& impact : impacts_) {
+    impact.lost_to_restitution = part(lost - to_friction, impact.lost_to_restitution, braked);
+    impact.lost_to_friction = part(to_friction, impact.lost_to_friction, rubbed);
+    left -= impact.lost_to_restitution;
+  }
+  // What is left is rounding.
+  const auto acts = [](const Impact& impact) { return impact.normal > 0.0; };
+  const auto first = std::find_if(impacts_.begin(), impacts_.end(), acts);
+  if (first != impacts_.end()) first->lost_to_restitution += left;
+}
+
 // One jump for each entry of the log: the first one has all of the motion.
 void ImpactCluster::record(World& world, double within, State before, const Ledger& ledger_before) {
   const auto wants_jump = [&] { return world.log.wants_jump(world.model->bodies()); };
+  share_losses();
   Jump jump;
   jump.time = std::min(world.trajectories.epoch() + within, world.clock.step_end);
   if (wants_jump()) {

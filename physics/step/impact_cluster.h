@@ -67,6 +67,7 @@ class ImpactCluster {
 
   void clear() {
     touches_.clear();
+    impacts_.clear();
     has_dropped_ = false;
   }
   // Bodies a < b.
@@ -128,6 +129,7 @@ class ImpactCluster {
   void fill(World& world);
   [[nodiscard]] ClusterOutcome solve(World& world, ClusterRestitution restitution);
   [[nodiscard]] bool apply(World& world);
+  void share_losses();
   void record(World& world, double within, State before, const Ledger& ledger_before);
 
   std::vector<Touch> touches_;

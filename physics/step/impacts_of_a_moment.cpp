@@ -224,7 +224,11 @@ std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, BodyIn
   Trajectories& trajectories = world.trajectories;
   const bool all = takes_touches(world);
   if (all) {
-    find_touching(world, a, b, time, 1.0);
+    find_touching(world, a, b, time, kRoundings);
+    if (!cluster_.has_law(world)) {
+      world.note(&Notices::order_decided_since, world.trajectories.epoch() + time, {a, b});
+      cluster_.clear();
+    }
   } else if (!find_of_clay(world, a, b, time)) {
     find_closing(step, a, b, time);
   }
