@@ -15,13 +15,19 @@ bool outruns_joints(Flights& f, const Flights::Island& island) {
   const Flights::Group& group = f.groups[island.group];
   double speed = 0.0;
   double change = 0.0;
+  double size = 0.0;  // m, the largest
   for (int j = 0; j < island.count; ++j) {
     const BodyIndex i = f.members[island.first + j];
+    size = std::max(size, f.model->shapes.size[i]);
     speed = std::max({speed, f.at_start.col(i).segment<2>(3).norm(), f.at_end.col(i).segment<2>(3).norm()});
     change = std::max(
         {change, group.stages.k[0].col(j).segment<2>(3).norm(), group.stages.k[1].col(j).segment<2>(3).norm()});
   }
-  if (change * (island.end - island.start) <= kMostTurns * speed) return false;
+  const double duration = island.end - island.start;
+  if (change * duration <= kMostTurns * speed) return false;
+  // What contact forces hold so still goes round nothing.
+  constexpr double kStill = 1e-12;
+  if (speed * duration <= kStill * size) return false;
   // Where joints hold bodies at rest, the accelerations are rounding.
   constexpr double kBalanced = 1e-9;
   double outside = 0.0;

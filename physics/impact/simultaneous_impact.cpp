@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kNoGain = 1e-13;  // of the energy of the hardest impact: rounding
 constexpr int kMostHalvings = 50;  // of e
+// Lowered by less, e is what it was: the energy of redundant impulses rounds by more than kNoGain.
+constexpr double kRoundedRestitution = 1e-9;
 
 using Row = ClusterScratch::Row;
 
@@ -210,12 +212,13 @@ ClusterOutcome resolve_simultaneous(Eigen::Ref<Eigen::Matrix3Xd> velocities,
   const bool solvable = cluster.solve(outcome.restitution);
   if (!solvable || cluster.gains()) {
     double high = solvable ? outcome.restitution : 0.0;
+    const double asked = outcome.restitution;
     outcome.restitution = 0.0;
-    outcome.lowered = true;
     for (int i = 0; high > 0.0 && i < kMostHalvings; ++i) {
       const double middle = 0.5 * (outcome.restitution + high);
       (cluster.solve(middle) && !cluster.gains() ? outcome.restitution : high) = middle;
     }
+    outcome.lowered = asked - outcome.restitution > kRoundedRestitution;
     if (!cluster.solve(outcome.restitution)) {
       outcome.solved = false;
       return outcome;

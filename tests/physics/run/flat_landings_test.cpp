@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "physics/dynamics/integrators/integrators.h"
@@ -249,6 +250,40 @@ TEST(FlatLandings, FrictionTurnsAFaceOnlyAboutItsEnd) {
       EXPECT_NEAR(tips.spin, (0.05 - 0.3 * 0.9) * impulse / inertia, 10.0 * about);
     }
   });
+}
+
+// Two or three welded boxes land flat and come to rest: nothing is too fast for a weld.
+TEST(FlatLandings, WeldedBodiesComeToRestWithoutAWarning) {
+  for (const int count : {2, 3}) {
+    for (const double e : {0.2, 0.3, 0.5}) {
+      for (const double turned : {0.0, 0.3, 1.1, 2.7}) {
+        for (const double h : {0.001, 0.005}) {
+          RunSetup s = test::setup_with({test::wall("floor", {0.0, -0.5}, 20.0, 1.0)}, e);
+          for (int i = 0; i < count; ++i)
+            s.scene.bodies.push_back(box("b" + std::to_string(i), {-0.3 * i, 0.6}, {0.0, 0.0}, 0.3, 0.2));
+          for (int i = 1; i < count; ++i) {
+            Joint weld;
+            weld.kind = JointKind::kWeld;
+            weld.body = "b" + std::to_string(i);
+            weld.to = "b" + std::to_string(i - 1);
+            weld.point = {0.15, 0.0};
+            weld.anchor = {-0.15, 0.0};
+            s.scene.joints.push_back(weld);
+          }
+          for (Body& body : s.scene.bodies) {
+            body.position = turned_by(turned, body.position);
+            body.angle = turned;
+          }
+          s.scene.forces.gravity = turned_by(turned, {0.0, -kG});
+          s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, h};
+          Simulation run(s);
+          run.advance_to(1.5);
+          EXPECT_EQ(run.notices().text(), "ok") << count << " " << e << " " << turned << " " << h;
+          EXPECT_LT(run.state().v.cwiseAbs().maxCoeff(), 1e-9);
+        }
+      }
+    }
+  }
 }
 
 // Hexagons that meet tip to tip without rebound go on together, and none turns: in free space and on a track,

@@ -392,6 +392,26 @@ TEST(ImpactsAtOnce, SaysWhereTheOrderDecides) {
   }
 }
 
+// Six balls meet a seventh in its middle, and their neighbours at the same moment: that is no reason to lower
+// e.
+TEST(ImpactsAtOnce, BallsFromAllSidesReboundWithTheirOwnRestitution) {
+  for (int turn = 0; turn < 12; ++turn) {
+    RunSetup s = test::setup_with({});
+    const Vec2 middle(0.37 * turn - 2.0, 1.3 - 0.29 * turn);
+    for (int i = 0; i < 6; ++i) {
+      const Vec2 out = turned(Vec2::UnitX(), 0.41 * turn + i * std::numbers::pi / 3.0);
+      s.scene.bodies.push_back(disc(fmt::format("b{}", i), middle + out, -out));
+    }
+    s.scene.bodies.push_back(disc("middle", middle, {0.0, 0.0}));
+    s.method.step = 0.001;
+    Simulation run(s);
+    run.advance_to(1.0);
+    EXPECT_EQ(run.notices().text(), "ok") << turn;
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(run.state().velocity(i).norm(), 1.0, 1e-9) << turn;
+    EXPECT_NEAR(run.state().velocity(6).norm(), 0.0, 1e-9) << turn;
+  }
+}
+
 // A spinning disc falls into a rough V: in this impact each wall takes more than there is, and the other one
 // gives it back; no loss is negative.
 TEST(ImpactsAtOnce, NoLossIsNegative) {
