@@ -155,18 +155,11 @@ struct GeneralImpact {
   }
 };
 
+// Whatever the closing speed.
 template <class Kind>
-ImpactEffect apply(World& world, BodyIndex a, BodyIndex b, const Contact& at, const SurfaceLaw& material,
-                   double within) {
-  const bool joins = Kind::joins(material);
-  Contact contact = joins ? moved_together(world, a, b, at) : at;
-  const std::optional<FaceImpact> face = Kind::of_face(world, a, b, contact, material);
-  if (face) contact.point = face->point;
-  Kind of_pair(world, a, b, contact);
-  const double closing = of_pair.closing();
-  // Semi-implicit Euler's path x + t v(t) may close again, from a penetration, while v(t) still separates the
-  // bodies.
-  if (!(closing > 0.0)) return ImpactEffect::kNone;
+ImpactEffect resolve_and_record(World& world, BodyIndex a, BodyIndex b, const Contact& contact,
+                                const SurfaceLaw& material, double within, Kind& of_pair,
+                                const std::optional<FaceImpact>& face) {
   const Ledger& ledger = world.sums.ledger;
   std::optional<Jump> jump;
   if (world.log.wants_jump(world.model->bodies())) {
@@ -174,8 +167,9 @@ ImpactEffect apply(World& world, BodyIndex a, BodyIndex b, const Contact& at, co
     jump->before = world.state_at(within);
     jump->change.add(-1.0, ledger);
   }
+  const double closing = std::max(0.0, of_pair.closing());
   const Impact impact = of_pair.resolve(world, a, b, contact, material, face);
-  const ImpactEffect effect = joins ? ImpactEffect::kJoined : ImpactEffect::kBounced;
+  const ImpactEffect effect = Kind::joins(material) ? ImpactEffect::kJoined : ImpactEffect::kBounced;
   record_impact(world, a, b, contact, impact, closing, within);
   if (effect == ImpactEffect::kBounced) record_impulse(world, a, b, contact, impact);
   if (!jump) return effect;
@@ -186,10 +180,28 @@ ImpactEffect apply(World& world, BodyIndex a, BodyIndex b, const Contact& at, co
   return effect;
 }
 
+template <class Kind>
+ImpactEffect apply(World& world, BodyIndex a, BodyIndex b, const Contact& at, const SurfaceLaw& material,
+                   double within) {
+  Contact contact = Kind::joins(material) ? moved_together(world, a, b, at) : at;
+  const std::optional<FaceImpact> face = Kind::of_face(world, a, b, contact, material);
+  if (face) contact.point = face->point;
+  Kind of_pair(world, a, b, contact);
+  // Semi-implicit Euler's path x + t v(t) may close again, from a penetration, while v(t) still separates the
+  // bodies.
+  if (!(of_pair.closing() > 0.0)) return ImpactEffect::kNone;
+  return resolve_and_record(world, a, b, contact, material, within, of_pair, face);
+}
+
 }  // namespace
 
 ApplyImpact apply_impact_of(const Model& model) {
   return model.smooth_discs ? &apply<SmoothImpact> : &apply<GeneralImpact>;
+}
+
+void join_at_rest(World& world, BodyIndex a, BodyIndex b, const Contact& contact) {
+  GeneralImpact of_pair(world, a, b, contact);
+  resolve_and_record(world, a, b, contact, world.material(contact, a, b), 0.0, of_pair, std::nullopt);
 }
 
 void record_impact(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const Impact& impact,

@@ -17,6 +17,10 @@ inline ImpactEffect apply_impact(World& world, BodyIndex a, BodyIndex b, const C
   return world.apply_impact(world, a, b, contact, material, within);
 }
 
+// Joins two bodies whose surfaces stick, where they touch and are pressed together: as apply_impact() does
+// where they close.
+void join_at_rest(World& world, BodyIndex a, BodyIndex b, const Contact& contact);
+
 // Counts and records a resolved impact and enters its losses in the ledger. `closing` in m/s.
 void record_impact(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const Impact& impact,
                    double closing, double within);

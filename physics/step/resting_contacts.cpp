@@ -244,6 +244,7 @@ double RestingContacts::hold(World& world, double h, double least) {
   project_penetrations(world);
   const std::size_t welds = world.trajectories.welds().size();
   strike(world, h);
+  join_what_rests(world);
   if (world.trajectories.welds().size() != welds) {
     // Bodies that have stuck together are one, with other contacts.
     find_contacts(world, h);

@@ -97,6 +97,7 @@ class RestingContacts {
   [[nodiscard]] int parts_at_once(const World& world, double h);
   void project_penetrations(World& world);
   void strike(World& world, double h);
+  void join_what_rests(World& world);
   void stop_approaches(World& world, double h);
   void find_forces(World& world, double h);
   double improve_forces(World& world, double h, double least);

@@ -238,6 +238,20 @@ void RestingContacts::strike(World& world, double h) {
   }
 }
 
+// Surfaces that stick join also what has not hit them: what was put there, or has come there slowly.
+void RestingContacts::join_what_rests(World& world) {
+  if (!world.model->surfaces.stick) return;
+  const Contacts& c = found_.contacts;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const bool touches = c.gap[i] <= touch_tolerance(world, c.a[i], c.b[i]);
+    if (!touches || !(found_.press[k] > 0.0) || !world.can_collide(c.a[i], c.b[i])) continue;
+    const ShapePair parts = parts_at(world.shapes(), c.a[i], c.b[i], found_.id[k]);
+    const Contact contact{c.gap[i], c.normal[i], found_.point[k], parts};
+    if (world.material(contact, c.a[i], c.b[i]).sticks) join_at_rest(world, c.a[i], c.b[i], contact);
+  }
+}
+
 // Bodies that penetrate at the step's end and close faster than a contact may rest rebound by the law of
 // impacts.
 void RestingContacts::rebound_at_end(World& world, const std::vector<BodyPair>& pairs) const {

@@ -409,6 +409,35 @@ TEST(Sticking, JoinsBodiesThatTouch) {
   }
 }
 
+// What is put on a slope of clay stays there, also where it touches only to rounding, or falls a micrometre.
+TEST(Sticking, WhatIsPutOnASlopeStays) {
+  constexpr double kSlope = 0.5;
+  const Vec2 up = turned_by(kSlope, Vec2::UnitY());
+  for (const auto& impacts : kImpacts) {
+    for (const ContactsId contacts : {ContactsId::kImpulse, ContactsId::kLasting}) {
+      for (const double gap : {0.0, 1e-6}) {
+        for (const bool round : {true, false}) {
+          Body slope = wall("slope", -0.5 * up, 10.0, 1.0);
+          slope.angle = kSlope;
+          Body body = round ? disc("body", (0.1 + gap) * up, {0, 0}, 0.1, 1.0)
+                            : box("body", (0.1 + gap) * up, {0, 0}, 0.3, 0.2);
+          body.angle = kSlope;
+          RunSetup s = clay({slope, body});
+          s.scene.forces.gravity = {0.0, -9.81};
+          s.method = {IntegratorId::kRk4, impacts.id, contacts, 0.005};
+          Simulation run(s);
+          run.advance_to(1.0);
+          const std::string of =
+              fmt::format("{} {} {} {}", impacts.name, contacts == ContactsId::kLasting, gap, round);
+          EXPECT_EQ(run.joints().size(), 1U) << of;
+          EXPECT_LT((run.state().position(1) - 0.1 * up).norm(), 2e-4) << of;
+          EXPECT_LT(run.state().v.cwiseAbs().maxCoeff(), 1e-12) << of;
+        }
+      }
+    }
+  }
+}
+
 TEST(Sticking, ABodyGoesWithADrivenOne) {
   for (const auto& impacts : kImpacts) {
     RunSetup s = clay({wall("table", {0, -0.5}, 4.0, 1.0), disc("ball", {0.3, 0.6}, {0.4, 0}, 0.1, 0.7)});
