@@ -88,7 +88,7 @@ void World::restore_joints(IslandIndex island) {
   trajectories.restore_joints(island);
   const Totals after = totals_now();
   sums.ledger.penetration_correction += after.energy() - before.energy();
-  sums.ledger.momentum_to_walls -= after.momentum - before.momentum;
+  sums.ledger.momentum_from_forces += after.momentum - before.momentum;
 }
 
 Ledger World::ledger() const {

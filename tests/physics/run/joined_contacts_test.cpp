@@ -48,6 +48,27 @@ void add_clay(RunSetup& s, const std::vector<std::string>& bodies) {
 
 double drift(const Simulation& run) { return run.ledger().numerical_drift(run.totals().energy()); }
 
+// Where discs that overlap are pushed apart, the rod of one takes momentum from its anchor: no wall does.
+TEST(JoinedContacts, APushAgainstARodGivesTheWallsNothing) {
+  for (const ContactsId contacts : {ContactsId::kImpulse, ContactsId::kLasting}) {
+    for (const ImpactsId impacts : {ImpactsId::kStepEnd, ImpactsId::kLocated}) {
+      RunSetup s = test::setup_with(
+          {test::disc("held", {0.0, 0.0}, {1.0, 0.0}), test::disc("free", {0.15, 0.08}, {0.99, 0.0})});
+      Joint rod;
+      rod.kind = JointKind::kRod;
+      rod.body = "held";
+      rod.anchor = {0.0, 1.0};
+      s.scene.joints = {rod};
+      s.method = {IntegratorId::kRk4, impacts, contacts, 0.01};
+      Simulation run(s);
+      run.advance_to(0.05);
+      EXPECT_GT(run.ledger().momentum_from_forces.norm(), 1e-3);
+      EXPECT_EQ(run.ledger().momentum_to_walls.norm(), 0.0);
+      EXPECT_LT(run.ledger().momentum_drift(run.totals().momentum).norm(), 1e-11);
+    }
+  }
+}
+
 // A box slides until a slack string jerks its equal from rest: both go on with half the speed.
 TEST(JoinedContacts, AStringThatGoesTautJerksABoxOnTheFloor) {
   constexpr double kFriction = 0.3;
