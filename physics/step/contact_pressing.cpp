@@ -52,7 +52,13 @@ void ContactPressing::find(World& world, double step_length, bool may_divide, co
       acceleration_.col(i).head<2>() = drive_acceleration(world.model->drive(i), world.trajectories.epoch());
     }
   }
-  change_by_forces_ = step_length * acceleration_.topRows<2>().colwise().norm().maxCoeff();
+  double most = 0.0;  // m/s², of any point of a body
+  for (BodyIndex i{0}; i < n; ++i) {
+    const double turning = std::abs(acceleration_.col(i)[2]);
+    most = std::max(
+        most, acceleration_.col(i).head<2>().norm() + (turning > 0.0 ? turning * world.shapes().size[i] : 0.0));
+  }
+  change_by_forces_ = step_length * most;
   noise_ = kNoise * change_by_forces_ + kRounding * world.state.v.topRows<2>().cwiseAbs().maxCoeff();
   update(world, memory);
 }
