@@ -119,13 +119,15 @@ std::optional<FaceImpact> face_impact(World& world, BodyIndex a, BodyIndex b, co
     return speed_at(end) < 0.0 ? std::optional(found) : std::nullopt;
   }
   const Eigen::Vector3d mean = u + 0.5 * k * *j;
-  const double taken = -j->dot(mean);
-  if (taken < -kNoGain * std::abs((*j)[0] * u[0])) return std::nullopt;
+  const double lost = -j->dot(mean);
+  if (lost < -kNoGain * std::abs((*j)[0] * u[0])) return std::nullopt;
   found.impact.emplace();
   found.impact->normal = (*j)[0];
   found.impact->tangential = (*j)[1];
-  found.impact->lost_to_friction = std::max(0.0, -(*j)[1] * mean[1]);
-  found.impact->lost_to_restitution = std::max(0.0, taken) - found.impact->lost_to_friction;
+  // An end that one impulse drives into the other body may take energy from the other one; only the sum is
+  // lost.
+  found.impact->lost_to_friction = std::clamp(-(*j)[1] * mean[1], 0.0, std::max(0.0, lost));
+  found.impact->lost_to_restitution = std::max(0.0, lost) - found.impact->lost_to_friction;
   return found;
 }
 

@@ -226,7 +226,8 @@ std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, BodyIn
   if (all) {
     find_touching(world, a, b, time, kRoundings);
     if (!cluster_.has_law(world)) {
-      world.note(&Notices::order_decided_since, world.trajectories.epoch() + time, {a, b});
+      if (cluster_.has_several(world))
+        world.note(&Notices::order_decided_since, world.trajectories.epoch() + time, {a, b});
       cluster_.clear();
     }
   } else if (!find_of_clay(world, a, b, time)) {
