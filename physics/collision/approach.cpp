@@ -9,6 +9,9 @@
 namespace carom {
 namespace {
 
+// Cosine of the angle between the normals of one face at its middle and at its ends.
+constexpr double kSameFace = 0.999;
+
 // A body at one time.
 struct Moving {
   BodyIndex body;
@@ -61,7 +64,9 @@ Approach approach(const Geometry& g, const Moving& a, const Moving& b, double to
     each_manifold(g, a.body, a.pose, b.body, b.pose, margin, look_at);
   } else {
     const auto [part_a, part_b] = parts != nullptr ? *parts : g.first_parts(a.body, b.body);
-    look_at(manifold(g, a.body, part_a, a.pose, b.body, part_b, b.pose, margin));
+    const Manifold ends = manifold(g, a.body, part_a, a.pose, b.body, part_b, b.pose, margin);
+    // Where corners meet it may have the normal of another edge.
+    if (ends.normal.dot(approach.contact.normal) > kSameFace) look_at(ends);
   }
   return approach;
 }

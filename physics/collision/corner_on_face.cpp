@@ -19,6 +19,25 @@ bool is_sharp(const ConvexShapes& shapes, ShapeIndex part) {
   return shapes.rounding[part] == 0.0 && shapes.core[part] != Core::kPoint;
 }
 
+// The corner from the place of the face's part on, so that places far from the origin lose no digits.
+struct CornerAndFace {
+  CornerAndFace(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b, const Pose& pose_b,
+                const CornerOnFace& touch)
+      : face_at(touch.is_of_b ? g.part_pose(a, touch.parts.a, pose_a) : g.part_pose(b, touch.parts.b, pose_b)),
+        face(g.shapes.corners_of(touch.is_of_b ? touch.parts.a : touch.parts.b)[touch.face]),
+        of_half_plane(g.shapes.core[touch.is_of_b ? touch.parts.a : touch.parts.b] == Core::kHalfPlane) {
+    const Pose corner_at =
+        touch.is_of_b ? g.part_pose(b, touch.parts.b, pose_b) : g.part_pose(a, touch.parts.a, pose_a);
+    const ShapeIndex of_corner = touch.is_of_b ? touch.parts.b : touch.parts.a;
+    corner = corner_at.position - face_at.position +
+             corner_at.turned(g.shapes.corners_of(of_corner)[touch.corner].vertex);
+  }
+  Pose face_at;
+  const Corner& face;
+  bool of_half_plane;
+  Vec2 corner;  // m, in the plane's directions
+};
+
 }  // namespace
 
 std::optional<CornerOnFace> corner_on_face(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b,
@@ -47,21 +66,21 @@ std::optional<CornerOnFace> corner_on_face(const Geometry& g, BodyIndex a, const
   return CornerOnFace{parts, false, of_a, features.of_b};
 }
 
+bool is_over_face(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b, const Pose& pose_b,
+                  const CornerOnFace& touch, double near) {
+  const CornerAndFace at(g, a, pose_a, b, pose_b, touch);
+  if (at.of_half_plane) return true;
+  const double place = cross(at.face.normal, at.face_at.turned_back(at.corner) - at.face.vertex);
+  return place >= -near && place <= at.face.length + near;
+}
+
 Contact contact_on_line(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b, const Pose& pose_b,
                         const CornerOnFace& touch) {
-  const Pose at_a = g.part_pose(a, touch.parts.a, pose_a);
-  const Pose at_b = g.part_pose(b, touch.parts.b, pose_b);
-  const ShapeIndex of_corner = touch.is_of_b ? touch.parts.b : touch.parts.a;
-  const ShapeIndex of_face = touch.is_of_b ? touch.parts.a : touch.parts.b;
-  const Pose& face_at = touch.is_of_b ? at_a : at_b;
-  const Corner& face = g.shapes.corners_of(of_face)[touch.face];
-  const Pose& corner_at = touch.is_of_b ? at_b : at_a;
-  // From the face's part on, so that places far from the origin lose no digits.
-  const Vec2 corner = corner_at.position - face_at.position +
-                      corner_at.turned(g.shapes.corners_of(of_corner)[touch.corner].vertex);
-  const Vec2 out = face_at.turned(face.normal);
-  const double gap = out.dot(corner) - face.normal.dot(face.vertex);
-  return {gap, touch.is_of_b ? out : Vec2(-out), face_at.position + corner - 0.5 * gap * out, touch.parts};
+  const CornerAndFace at(g, a, pose_a, b, pose_b, touch);
+  const Vec2 out = at.face_at.turned(at.face.normal);
+  const double gap = out.dot(at.corner) - at.face.normal.dot(at.face.vertex);
+  const Vec2 point = at.face_at.position + at.corner - 0.5 * gap * out;
+  return {gap, touch.is_of_b ? out : Vec2(-out), point, touch.parts};
 }
 
 }  // namespace carom

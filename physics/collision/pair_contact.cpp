@@ -25,7 +25,7 @@ constexpr double kTipOfFaces = 32.0 * std::numeric_limits<double>::epsilon();
 // Between corners that are nearer than this share of the scale, the direction from one to the other is noise.
 constexpr double kBlunt = 1e-4;
 // Relative to the scale: where corners meet, edges that part two bodies equally well within this.
-constexpr double kTie = 1e-5;
+constexpr double kTie = 1e-8;
 
 // Where two bodies touch or are nearest, relative to the position of body a in the frame in which they were
 // compared.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "physics/collision/corner_on_face.h"
 #include "physics/collision/pair_contact.h"
 #include "physics/contact/contact_velocity.h"
 #include "physics/model/convex.h"
@@ -74,14 +76,14 @@ RowVelocity end_velocity(const Contacts& c, int i, const Vec2& point, const Vec2
                           velocity.col(c.b[i]));
 }
 
-// Whether a disc runs off a corner: without the contact's own guessed force (m/s², of the pair along the
+// Whether what is round runs off a corner: without the contact's own guessed force (m/s², of the pair along the
 // normal) it would be off its surface at the end, and part from it.
-bool leaves(const Contacts& c, int i, const ManifoldPoint& at, const Manifold& end, double own, double h,
-            const Flown& a, const Flown& b, const Eigen::Matrix3Xd& velocity) {
-  const double parting = end_velocity(c, i, at.point, end.normal, a, b, velocity).normal;
+bool leaves(const Contacts& c, int i, const GuessedEnd& end, double own, double h, const Flown& a,
+            const Flown& b, const Eigen::Matrix3Xd& velocity) {
+  const double parting = end_velocity(c, i, end.point, end.normal, a, b, velocity).normal;
   const double turned = end.normal.dot(c.normal[i]);
   const double along_end = own * turned;
-  return turned > kThrough && at.gap - 0.5 * along_end * h * h > 0.0 && parting - along_end * h > 0.0;
+  return turned > kThrough && end.gap - 0.5 * along_end * h * h > 0.0 && parting - along_end * h > 0.0;
 }
 
 // m: from a point to the nearest corner of this part of a body.
@@ -94,6 +96,56 @@ double from_corner(const World& world, BodyIndex body, ShapeIndex part, const Ve
   const Corner* corner = g.shapes.corners_of(part);
   for (int k = 0; k < g.shapes.corners[part]; ++k) nearest = std::min(nearest, (corner[k].vertex - at).norm());
   return nearest;
+}
+
+// Whether one of these parts is round where they touch, and the other isn't a disc as well: the contact may
+// turn far, about a corner.
+bool may_turn_far(const Geometry& g, const ShapePair& parts) {
+  const bool discs = g.shapes.core[parts.a] == Core::kPoint && g.shapes.core[parts.b] == Core::kPoint;
+  return !discs && g.shapes.rounding[parts.a] + g.shapes.rounding[parts.b] > 0.0;
+}
+
+// Where two parts touch at the end, as guessed: in all points, and in those where nothing continues a surface.
+struct EndPoints {
+  Manifold all, bare;
+};
+// Whether a contact has come over a seam: another part continues the surface there.
+bool slides_on(const EndPoints& end, std::uint32_t id) {
+  return point_with(end.bare, id) < 0 && (end.bare.count == 0 || point_with(end.all, id) >= 0);
+}
+
+// Contact i at the end: in the same features, a corner on the line of its face, which it has come to the end of
+// or which goes on as another part, or what has rolled on from a face to the round corner beside it. Nothing if
+// it is none of these.
+std::optional<GuessedEnd> same_at_end(const World& world, const FoundContacts& found, int i, const Flown& a,
+                                      const Flown& b, const EndPoints& end) {
+  const Geometry& g = world.shapes();
+  const auto k = static_cast<std::size_t>(i);
+  const std::uint32_t id = found.id[k];
+  const auto guess = [&](int point) {
+    const ManifoldPoint& at = end.bare.points[static_cast<std::size_t>(point)];
+    return GuessedEnd{at.point, end.bare.normal, at.gap};
+  };
+  if (const int point = point_with(end.bare, id); point >= 0) return guess(point);
+  const bool over_seam = slides_on(end, id);
+  const BodyIndex body_a = found.contacts.a[i];
+  const BodyIndex body_b = found.contacts.b[i];
+  const auto halfway = [&](BodyIndex body, const Flown& flown) {
+    return g.pose(body, world.trajectories.at_start(body).head<3>() + 0.5 * flown.moved);
+  };
+  const auto corner = corner_on_face(g, body_a, halfway(body_a, a), body_b, halfway(body_b, b), id);
+  const double size = g.size[body_a] + g.size[body_b];
+  if (corner && (over_seam || is_over_face(g, body_a, a.end, body_b, b.end, *corner, kFlush * size))) {
+    const Contact contact = contact_on_line(g, body_a, a.end, body_b, b.end, *corner);
+    return GuessedEnd{contact.point, contact.normal, contact.gap};
+  }
+  if (over_seam || end.bare.count != 1) return std::nullopt;
+  const double turned = std::abs(a.moved[2]) * g.size[body_a] + std::abs(b.moved[2]) * g.size[body_b];
+  const double way = (a.moved - b.moved).head<2>().norm() + turned;
+  const Vec2 start = found.point[k] + 0.5 * (a.moved + b.moved).head<2>();
+  const bool is_near = (end.bare.points[0].point - start).norm() <= way;
+  if (may_turn_far(g, parts_at(g, body_a, body_b, id)) && is_near) return guess(0);
+  return std::nullopt;
 }
 
 // A contact that keeps its normal: its point moves with the disc, with the corner that slides on over a seam,
@@ -162,35 +214,37 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
     const Flown a = flown(world, h, flight, ka);
     const Flown b = flown(world, h, flight, kb);
     const bool goes_on = a.goes_on && b.goes_on;
-    const bool round = shapes.is_disc(ka) != shapes.is_disc(kb);
-    if (!goes_on && !round) {
-      for (int i = first; i < last; ++i) set_arms(c, i, found.point[static_cast<std::size_t>(i)], a, b);
-      continue;
-    }
+    const auto is_round = [&](int i) {
+      return may_turn_far(shapes, parts_at(shapes, ka, kb, found.id[static_cast<std::size_t>(i)]));
+    };
     const bool turns = moved(world, ka, a, kb, b);
-    Manifold whole, end;
+    EndPoints end;
     for (int i = first; i < last; ++i) {
       const auto k = static_cast<std::size_t>(i);
+      const bool round = is_round(i);
+      if (!goes_on && !round) {
+        set_arms(c, i, found.point[k], a, b);
+        continue;
+      }
       const double allowed = c.target[i];
       if (turns && (i == first || parts_of(found.id[k]) != parts_of(found.id[k - 1]))) {
-        whole = manifold_of(shapes, ka, a.end, kb, b.end, found.id[k], std::numeric_limits<double>::infinity());
+        end.all =
+            manifold_of(shapes, ka, a.end, kb, b.end, found.id[k], std::numeric_limits<double>::infinity());
         // Where a neighbour continues the surface, the contact does not turn about the edge.
         const auto pose = [&](BodyIndex body) { return shapes.pose(body, flight.position.col(body)); };
         const auto others = neighbours.of_pair(world, ka, kb);
-        end = exposed_points(world, ka, kb, whole, others, pose, [](const ManifoldPoint&) {});
-        if (end.count == 0 && whole.count == 1 &&
-            turns_about_corner(world, ka, kb, c.normal[i], whole.contact(0), others, pose))
-          end = whole;
+        end.bare = exposed_points(world, ka, kb, end.all, others, pose, [](const ManifoldPoint&) {});
+        if (end.bare.count == 0 && end.all.count == 1 &&
+            turns_about_corner(world, ka, kb, c.normal[i], end.all.contact(0), others, pose))
+          end.bare = end.all;
       }
-      const int point = turns ? point_with(end, found.id[k]) : -1;
-      const ManifoldPoint* at = point < 0 ? nullptr : &end.points[static_cast<std::size_t>(point)];
-      const bool slides_on = turns && at == nullptr && (end.count == 0 || point_with(whole, found.id[k]) >= 0);
+      const std::optional<GuessedEnd> at =
+          turns ? same_at_end(world, found, i, a, b, end) : std::optional<GuessedEnd>();
       const double press = (std::max(found.press[k], 0.0) + turning_press(world, c, i)) * h;
-      const bool turns_far = !goes_on || (at != nullptr && end.normal.dot(c.normal[i]) <= kLeastCosine);
+      const bool turns_far = !goes_on || (at && at->normal.dot(c.normal[i]) <= kLeastCosine);
       const double own = found.guess[k][0] * (world.mass().inverse_mass[ka] + world.mass().inverse_mass[kb]);
-      if (round && at != nullptr && turns_far && leaves(c, i, *at, end, own, h, a, b, flight.velocity)) {
-        c.target[i] = -std::numeric_limits<double>::infinity();
-        set_arms(c, i, found.point[k], a, b);
+      if (round && at && turns_far && leaves(c, i, *at, own, h, a, b, flight.velocity)) {
+        turn_contact(c, i, found.point[k], *at, a, b, flight.velocity, arms.along);
         continue;
       }
       if (!goes_on) {
@@ -199,10 +253,11 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
       }
       // Where another contact still holds what comes onto this one, nothing presses this one yet.
       const double held = std::max(press, h * std::max(flight.press[ka], flight.press[kb]));
-      GuessedEnd guess = carried(world, c, i, found.id[k], found.point[k], a, b, turns, slides_on);
-      if (at != nullptr && end.normal.dot(c.normal[i]) > kLeastCosine &&
-          end_velocity(c, i, at->point, end.normal, a, b, flight.velocity).normal >= -kMostClosing * held)
-        guess = {at->point, end.normal, at->gap};
+      GuessedEnd guess =
+          carried(world, c, i, found.id[k], found.point[k], a, b, turns, turns && slides_on(end, found.id[k]));
+      if (at && at->normal.dot(c.normal[i]) > kLeastCosine &&
+          end_velocity(c, i, at->point, at->normal, a, b, flight.velocity).normal >= -kMostClosing * held)
+        guess = *at;
       const double parting = turn_contact(c, i, found.point[k], guess, a, b, flight.velocity, arms.along);
       if (found.is_new(i) || !std::isfinite(allowed)) continue;
       // The gap at the end if the contact did not part or close there.

@@ -123,6 +123,41 @@ bool ends_there(World& world, const TouchNearEnd& touch, double time, const Neig
                   neighbours.of_pair(world, a, b), pose);
 }
 
+// Two corners that leave each other: each moves out of the other body.
+struct LeavingCorners {
+  Vec2 point;         // m
+  ContactSides past;  // past the corner of each
+};
+// Those of contact i that are within `near` m of it, if they do so within h s by more than that.
+std::optional<LeavingCorners> leaving_corners(const World& world, const FoundContacts& found, int i, double h,
+                                              double near) {
+  const ConvexShapes& shapes = world.shapes().shapes;
+  const auto is_sharp = [&](ShapeIndex part) {
+    return shapes.rounding[part] == 0.0 && shapes.core[part] != Core::kHalfPlane;
+  };
+  LeavingCorners leaving{found.point[static_cast<std::size_t>(i)], sides_of(world, found, i)};
+  auto& [a, b] = leaving.past;
+  if (!is_sharp(a.part) || !is_sharp(b.part)) return std::nullopt;
+  const auto velocity = [&](BodyIndex body) {
+    const Motion y = world.trajectories.at_start(body);
+    return Vec2(y.segment<2>(3) + y[5] * crossed(Vec2(leaving.point - y.head<2>())));
+  };
+  const auto moves_out = [&](ContactSide& side, const Vec2& away) {
+    // A point of no size is its own corner, without a face.
+    if (is_round(shapes, side.part)) return true;
+    const Corner* corner = corner_at(shapes, side.part, side.of_part(leaving.point), near);
+    if (corner == nullptr) return false;
+    const Corner& before = corner_before(shapes, side.part, *corner);
+    const double out =
+        std::max(side.pose.turned(corner->normal).dot(away), side.pose.turned(before.normal).dot(away));
+    side.out = turned_by(cross(side.out, away) > 0.0 ? kBeyond : -kBeyond, side.out);
+    return h * out > near;
+  };
+  const Vec2 u = velocity(b.body) - velocity(a.body);
+  if (!moves_out(a, u) || !moves_out(b, -u)) return std::nullopt;
+  return leaving;
+}
+
 }  // namespace
 
 void find_touches_near_ends(const World& world, const FoundContacts& found, const Neighbours& neighbours,
@@ -186,37 +221,34 @@ bool has_passed_on(const World& world, const FoundContacts& found, int i) {
 
 bool leaves_corner(const World& world, const FoundContacts& found, int i, const Neighbours& neighbours,
                    double h) {
-  const ConvexShapes& shapes = world.shapes().shapes;
-  const auto is_sharp = [&](ShapeIndex part) {
-    return shapes.rounding[part] == 0.0 && shapes.core[part] != Core::kHalfPlane;
+  const Contacts& c = found.contacts;
+  const double size = sizes(world, c.a[i], c.b[i]);
+  const auto half_gap = [&](int k) { return 0.5 * std::abs(c.gap[k]); };
+  // Another contact of theirs at this place, on the same face, goes on.
+  const double flush = kFlush * size;
+  const auto leaves = [&](int k) {
+    return leaving_corners(world, found, k, h, flush + half_gap(k)).has_value();
   };
-  const auto parts =
-      parts_at(world.shapes(), found.contacts.a[i], found.contacts.b[i], found.id[static_cast<std::size_t>(i)]);
-  if (!is_sharp(parts.a) || !is_sharp(parts.b)) return false;
-  const auto [a, b] = sides_of(world, found, i);
-  const double near = kLeaves * sizes(world, a.body, b.body) + 0.5 * std::abs(found.contacts.gap[i]);
-  const Vec2 point = found.point[static_cast<std::size_t>(i)];
-  const auto velocity = [&](BodyIndex body) {
-    const Motion y = world.trajectories.at_start(body);
-    return Vec2(y.segment<2>(3) + y[5] * crossed(Vec2(point - y.head<2>())));
+  const auto point = [&](int k) { return found.point[static_cast<std::size_t>(k)]; };
+  const auto takes_over = [&](int k) {
+    return k != i && c.a[k] == c.a[i] && c.b[k] == c.b[i] && (point(k) - point(i)).norm() <= flush &&
+           (c.normal[k] - c.normal[i]).norm() <= kOnFace && !leaves(k);
   };
-  const Vec2 u = velocity(b.body) - velocity(a.body);
-  const auto others = neighbours.of_pair(world, a.body, b.body);
-  // A point of no size is its own corner, without a face.
-  const auto moves_out = [&](const ContactSide& side, const ContactSide& other, const Vec2& away) {
-    if (is_round(shapes, side.part)) return true;
-    const Corner* corner = corner_at(shapes, side.part, side.of_part(point), near);
-    if (corner == nullptr) return false;
-    const Corner& before = corner_before(shapes, side.part, *corner);
-    if (h * std::max(side.pose.turned(corner->normal).dot(away), side.pose.turned(before.normal).dot(away)) <=
-        near)
-      return false;
-    ContactSide past = side;
-    past.out = turned_by(cross(side.out, away) > 0.0 ? kBeyond : -kBeyond, side.out);
-    return !goes_on(world, past, other, corner->vertex, others,
+  if (leaves(i)) {
+    for (int k = 0; k < c.size(); ++k) {
+      if (takes_over(k)) return true;
+    }
+  }
+  const auto leaving = leaving_corners(world, found, i, h, kLeaves * size + half_gap(i));
+  if (!leaving) return false;
+  const auto others = neighbours.of_pair(world, c.a[i], c.b[i]);
+  const auto is_bare = [&](const ContactSide& past, const ContactSide& other) {
+    return is_round(world.shapes().shapes, past.part) ||
+           !goes_on(world, past, other, past.of_part(leaving->point), others,
                     [&](BodyIndex body) { return pose_at_start(world, body); });
   };
-  return moves_out(a, b, u) && moves_out(b, a, -u);
+  const auto& [past_a, past_b] = leaving->past;
+  return is_bare(past_a, past_b) && is_bare(past_b, past_a);
 }
 
 }  // namespace carom

@@ -34,7 +34,8 @@ void find_touches_near_ends(const World& world, const FoundContacts& found, cons
 // onto that face, and nothing presses the corner any more. In scenes with few contacts.
 [[nodiscard]] bool has_passed_on(const World& world, const FoundContacts& found, int i);
 // Whether contact i is that of two corners that leave each other within h s: each moves out of the other body,
-// whose surface ends there. Nothing presses them any more.
+// whose surface ends there, or goes on as another part with a contact of its own. Nothing presses them any
+// more.
 [[nodiscard]] bool leaves_corner(const World& world, const FoundContacts& found, int i,
                                  const Neighbours& neighbours, double h);
 

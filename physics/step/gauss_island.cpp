@@ -149,7 +149,8 @@ bool GaussIsland::look(const GaussStep& step) {
   return true;
 }
 
-// Whether another body continues a contact's surface where it is at the end.
+// Whether another body continues a contact's surface where it is at the end, and not along the face of a
+// corner.
 bool GaussIsland::is_continued(const GaussStep& step) const {
   const World& world = step.world;
   const auto pose = [&](BodyIndex body) {
@@ -158,7 +159,7 @@ bool GaussIsland::is_continued(const GaussStep& step) const {
   return std::any_of(closed_.begin(), closed_.end(), [&](const GaussContact& c) {
     Contact contact;
     RowVelocity velocity;
-    if (!may_be_continued(world, c.a, c.b) ||
+    if (c.corner || !may_be_continued(world, c.a, c.b) ||
         !find_contact(world, c.a, sampled(c.a).end, c.b, sampled(c.b).end,
                       step.found.id[static_cast<std::size_t>(c.contact)], contact, velocity))
       return false;

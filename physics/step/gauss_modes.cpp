@@ -63,7 +63,7 @@ double slips_back(const GaussStep& step, const GaussIsland& island, const GaussC
   const auto first = std::find_if(slips.begin(), slips.end(), against);
   if (first != slips.end()) return kTimes[static_cast<std::size_t>(first - slips.begin())] * step.h;
   if (against(c.end.slip)) return step.h;
-  if (c.slips * c.start.slip > step.slip_speed) return 0.0;
+  if (c.broke_away || c.slips * c.start.slip > step.slip_speed) return 0.0;
   const double gains =
       beginning({slips[0] - c.start.slip, slips[1] - c.start.slip, slips[2] - c.start.slip}, 1);
   return c.slips * gains < -kBegins * rounding ? kTimes[0] * step.h : 0.0;

@@ -81,8 +81,9 @@ bool GaussIsland::begin(const GaussStep& step, std::span<const int> contacts) {
   sample(step);
   const Geometry& g = step.world.shapes();
   for (GaussContact& c : closed_) {
-    c.corner = corner_on_face(g, c.a, g.pose(c.a, sampled(c.a).start.head<3>()), c.b,
-                              g.pose(c.b, sampled(c.b).start.head<3>()),
+    // At the ends it may be the end of its face.
+    c.corner = corner_on_face(g, c.a, g.pose(c.a, sampled(c.a).halfway.head<3>()), c.b,
+                              g.pose(c.b, sampled(c.b).halfway.head<3>()),
                               step.found.id[static_cast<std::size_t>(c.contact)]);
   }
   if (!look(step) || is_continued(step)) return false;
@@ -149,7 +150,9 @@ bool GaussIsland::start(const GaussStep& step, GaussContact& c) const {
     slip(-std::copysign(1.0, tangential), larger);
   const std::uint32_t id = step.found.id[static_cast<std::size_t>(c.contact)];
   for (const GaussBreak& past : step.breaks) {
-    if (c.sticks && past.a == c.a && past.b == c.b && past.id == id) slip(past.slips, larger);
+    if (std::abs(c.start.slip) > step.slip_speed || past.a != c.a || past.b != c.b || past.id != id) continue;
+    slip(past.slips, larger);
+    c.broke_away = true;
   }
   return true;
 }

@@ -34,6 +34,14 @@ Vec2 place_of_tip(const World& world, const TouchOnFace& on, const Motion& touch
   return pose.position + pose.turned(on.tip);
 }
 
+// Whether it moves away from the middle of its face.
+bool runs_off(const World& world, const TouchOnFace& on) {
+  const Motion toucher = world.trajectories.at_start(on.toucher);
+  const Motion body = world.trajectories.at_start(on.body);
+  const double from_middle = place_along(world, on, toucher, body) - 0.5 * on.face.length;
+  return from_middle * speed_along(world, on, toucher, body) > 0.0;
+}
+
 const SurfaceLaw& law_on(const World& world, const TouchOnFace& on, BodyIndex body, ShapeIndex part) {
   Contact contact;
   if (on.toucher < body) {
@@ -58,7 +66,10 @@ std::optional<TouchOnFace> touch_on_face(const World& world, const FoundContacts
     const Vec2 point = found.point[static_cast<std::size_t>(i)];
     const double by_b = (on_a->tip - b.of_part(point)).norm();
     const double by_a = (on_b->tip - a.of_part(point)).norm();
-    (by_b < by_a ? on_b : on_a).reset();
+    // Two corners at one place: the one that comes to the end of its face, where another may go on.
+    const bool at_once = std::max(by_a, by_b) <= past_seam(world, *on_a);
+    const bool on_a_stays = at_once ? runs_off(world, *on_a) : by_b < by_a;
+    (on_a_stays ? on_b : on_a).reset();
   }
   std::optional<TouchOnFace>& on = on_a ? on_a : on_b;
   if (on) on->flat = of_a && of_b;

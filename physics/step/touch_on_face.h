@@ -23,7 +23,8 @@ struct TouchOnFace {
   }
 };
 
-// Contact i as such a touch; where corners of both are near, it is the nearer one that touches.
+// Contact i as such a touch; where corners of both are near, it is the nearer one that touches, and of two at
+// one place the one that comes to the end of its face.
 [[nodiscard]] std::optional<TouchOnFace> touch_on_face(const World& world, const FoundContacts& found, int i);
 
 // m: where the disc or corner is along the face, from its start, under these motions of both bodies.
