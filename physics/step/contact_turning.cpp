@@ -46,7 +46,7 @@ struct Flown {
 Flown flown(const World& world, double h, const GuessedFlight& flight, BodyIndex body) {
   const Eigen::Vector3d from = world.trajectories.at_start(body).head<3>();
   const Eigen::Vector3d to = flight.position.col(body);
-  return {world.shapes().pose(body, to), to - from, arm_start(world, h, flight, body),
+  return {flight.pose[static_cast<std::size_t>(body)], to - from, arm_start(world, h, flight, body),
           flight.goes_on[static_cast<std::size_t>(body)] != 0};
 }
 
@@ -231,7 +231,7 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
         end.all =
             manifold_of(shapes, ka, a.end, kb, b.end, found.id[k], std::numeric_limits<double>::infinity());
         // Where a neighbour continues the surface, the contact does not turn about the edge.
-        const auto pose = [&](BodyIndex body) { return shapes.pose(body, flight.position.col(body)); };
+        const auto pose = [&](BodyIndex body) { return flight.pose[static_cast<std::size_t>(body)]; };
         const auto others = neighbours.of_pair(world, ka, kb);
         end.bare = exposed_points(world, ka, kb, end.all, others, pose, [](const ManifoldPoint&) {});
         if (end.bare.count == 0 && end.all.count == 1 &&

@@ -19,6 +19,7 @@ struct GuessedFlight {
   Eigen::Matrix3Xd by;        // the contact forces' accelerations
   Eigen::Matrix3Xd position;  // at the end
   Eigen::Matrix3Xd velocity;  // at the end
+  std::vector<Pose> pose;     // at the end, by body
   Eigen::ArrayXd press;       // m/s², see ContactPressing::between
   // By body: the guessed forces leave its motion through the step about as it is.
   std::vector<std::uint8_t> goes_on;

@@ -44,6 +44,11 @@ std::array<double, 2> moves_by(const World& world) {
   return {kGaussPoints[1], kGaussPoints[0]};
 }
 
+RowVelocity velocity_at(const Contact& contact, const Kinematics& a, const Kinematics& b) {
+  return contact_velocity(contact.normal, contact.point - a.head<2>(), contact.point - b.head<2>(),
+                          a.segment<3>(3), b.segment<3>(3));
+}
+
 }  // namespace
 
 double gauss_share(std::size_t point, double time) {
@@ -55,11 +60,14 @@ double gauss_share_until(std::size_t point, double time) {
                     : kRoot3 * time * (0.5 * time - kGaussPoints[0]);
 }
 
-bool find_contact(const World& world, BodyIndex a, const Kinematics& ya, BodyIndex b, const Kinematics& yb,
-                  std::uint32_t id, Contact& contact, RowVelocity& velocity) {
+PosedMotion posed(const World& world, BodyIndex body, const Kinematics& y) {
+  return {y, world.shapes().pose(body, y.head<3>())};
+}
+
+bool find_contact(const World& world, BodyIndex a, const PosedMotion& of_a, BodyIndex b,
+                  const PosedMotion& of_b, std::uint32_t id, Contact& contact, RowVelocity& velocity) {
   const Geometry& g = world.shapes();
-  const Manifold m = manifold_of(g, a, g.pose(a, ya.head<3>()), b, g.pose(b, yb.head<3>()), id,
-                                 std::numeric_limits<double>::infinity());
+  const Manifold m = manifold_of(g, a, of_a.pose, b, of_b.pose, id, std::numeric_limits<double>::infinity());
   if (m.count == 0) return false;
   int best = 0;
   for (int k = 1; k < m.count; ++k) {
@@ -68,27 +76,29 @@ bool find_contact(const World& world, BodyIndex a, const Kinematics& ya, BodyInd
     if (at.id == id || (other.id != id && std::abs(at.gap) < std::abs(other.gap))) best = k;
   }
   contact = m.contact(best);
-  velocity = contact_velocity(contact.normal, contact.point - ya.head<2>(), contact.point - yb.head<2>(),
-                              ya.segment<3>(3), yb.segment<3>(3));
+  velocity = velocity_at(contact, of_a.y, of_b.y);
   return true;
 }
 
-bool find_contact(const GaussStep& step, const GaussContact& c, const Kinematics& ya, const Kinematics& yb,
-                  Contact& contact, RowVelocity& velocity) {
+bool find_contact(const GaussStep& step, const GaussContact& c, const PosedMotion& of_a,
+                  const PosedMotion& of_b, Contact& contact, RowVelocity& velocity) {
   const Geometry& g = step.world.shapes();
   if (!c.corner)
-    return find_contact(step.world, c.a, ya, c.b, yb, step.found.id[static_cast<std::size_t>(c.contact)],
+    return find_contact(step.world, c.a, of_a, c.b, of_b, step.found.id[static_cast<std::size_t>(c.contact)],
                         contact, velocity);
-  contact = contact_on_line(g, c.a, g.pose(c.a, ya.head<3>()), c.b, g.pose(c.b, yb.head<3>()), *c.corner);
-  velocity = contact_velocity(contact.normal, contact.point - ya.head<2>(), contact.point - yb.head<2>(),
-                              ya.segment<3>(3), yb.segment<3>(3));
+  contact = contact_on_line(g, c.a, of_a.pose, c.b, of_b.pose, *c.corner);
+  velocity = velocity_at(contact, of_a.y, of_b.y);
   return true;
 }
 
-GaussContact::AtTime at_time(const Contact& contact, const Kinematics& ya, const Kinematics& yb,
+GaussContact::AtTime at_time(const Contact& contact, const PosedMotion& of_a, const PosedMotion& of_b,
                              const RowVelocity& velocity) {
-  return {contact.normal,  contact.point - ya.head<2>(), contact.point - yb.head<2>(), contact.gap,
-          velocity.normal, velocity.tangential};
+  return {contact.normal,
+          contact.point - of_a.y.head<2>(),
+          contact.point - of_b.y.head<2>(),
+          contact.gap,
+          velocity.normal,
+          velocity.tangential};
 }
 
 double friction_of(const GaussStep& step, const GaussContact& c) {
@@ -114,12 +124,15 @@ void GaussIsland::sample(const GaussStep& step) {
   Trajectories& trajectories = step.world.trajectories;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Sampled& s = sampled_[i];
-    s.start = trajectories.at_start(bodies_[i]).head<kMotionRows>();
-    s.end = trajectories.kinematics(bodies_[i], step.h);
-    s.halfway = trajectories.kinematics(bodies_[i], 0.5 * step.h);
+    const auto at = [&](double time) {
+      return posed(step.world, bodies_[i], trajectories.kinematics(bodies_[i], time));
+    };
+    s.start = posed(step.world, bodies_[i], trajectories.at_start(bodies_[i]).head<kMotionRows>());
+    s.end = at(step.h);
+    s.halfway = at(0.5 * step.h);
     for (const std::size_t k : {0U, 1U}) {
-      s.at[k] = trajectories.kinematics(bodies_[i], kGaussPoints[k] * step.h);
-      s.mean[k] = weighted_mean(k, s.start, s.end, step.h);
+      s.at[k] = at(kGaussPoints[k] * step.h);
+      s.mean[k] = weighted_mean(k, s.start.y, s.end.y, step.h);
     }
   }
 }

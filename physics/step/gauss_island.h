@@ -81,6 +81,13 @@ struct GaussContact {
   int row = 0;  // of its normal in the island's system; then that of its tangent, if it sticks
 };
 
+// A body at a time.
+struct PosedMotion {
+  Kinematics y;
+  Pose pose;
+};
+[[nodiscard]] PosedMotion posed(const World& world, BodyIndex body, const Kinematics& y);
+
 // Bodies that closed contacts join, and the contacts' forces at the Gauss points of a step (gauss_contacts.h).
 class GaussIsland {
  public:
@@ -99,13 +106,13 @@ class GaussIsland {
   [[nodiscard]] std::vector<GaussContact>& closed() { return closed_; }
   [[nodiscard]] const std::vector<GaussContact>& closed() const { return closed_; }
   [[nodiscard]] std::span<const int> contacts() const { return contacts_; }
-  [[nodiscard]] const Kinematics& at_end(BodyIndex body) const { return sampled(body).end; }
+  [[nodiscard]] const PosedMotion& at_end(BodyIndex body) const { return sampled(body).end; }
 
  private:
   // A body at the times at which it is looked at.
   struct Sampled {
-    Kinematics start, halfway, end;
-    std::array<Kinematics, 2> at;
+    PosedMotion start, halfway, end;
+    std::array<PosedMotion, 2> at;
     std::array<Vec2, 2> mean;  // m: where arms start
   };
 
@@ -145,14 +152,14 @@ class GaussIsland {
 
 // A contact in these motions of its bodies; a corner that has left its face stays on the face's line. False if
 // there is none.
-bool find_contact(const GaussStep& step, const GaussContact& c, const Kinematics& ya, const Kinematics& yb,
-                  Contact& contact, RowVelocity& velocity);
+bool find_contact(const GaussStep& step, const GaussContact& c, const PosedMotion& of_a,
+                  const PosedMotion& of_b, Contact& contact, RowVelocity& velocity);
 // Likewise where the bodies are nearest: the point of this id or, where a corner has come to face the other
 // body by another edge, the one nearest to touching.
-bool find_contact(const World& world, BodyIndex a, const Kinematics& ya, BodyIndex b, const Kinematics& yb,
-                  std::uint32_t id, Contact& contact, RowVelocity& velocity);
-[[nodiscard]] GaussContact::AtTime at_time(const Contact& contact, const Kinematics& ya, const Kinematics& yb,
-                                           const RowVelocity& velocity);
+bool find_contact(const World& world, BodyIndex a, const PosedMotion& of_a, BodyIndex b,
+                  const PosedMotion& of_b, std::uint32_t id, Contact& contact, RowVelocity& velocity);
+[[nodiscard]] GaussContact::AtTime at_time(const Contact& contact, const PosedMotion& of_a,
+                                           const PosedMotion& of_b, const RowVelocity& velocity);
 // That of a contact that does not stick.
 [[nodiscard]] double friction_of(const GaussStep& step, const GaussContact& c);
 // m: of a contact at this point, smaller gaps are rounding.

@@ -75,8 +75,10 @@ double slip_ends(const GaussStep& step, const GaussContact& c, double wrong) {
   const auto slip = [&](double time) {
     Contact contact;
     RowVelocity velocity{};
-    (void)find_contact(step, c, trajectories.kinematics(c.a, time), trajectories.kinematics(c.b, time), contact,
-                       velocity);
+    const auto at = [&](BodyIndex body) {
+      return posed(step.world, body, trajectories.kinematics(body, time));
+    };
+    (void)find_contact(step, c, at(c.a), at(c.b), contact, velocity);
     return c.slips * velocity.tangential;
   };
   return bracketed_root(slip, 0.0, c.slips * c.start.slip, wrong, slip(wrong));

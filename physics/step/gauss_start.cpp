@@ -82,8 +82,7 @@ bool GaussIsland::begin(const GaussStep& step, std::span<const int> contacts) {
   const Geometry& g = step.world.shapes();
   for (GaussContact& c : closed_) {
     // At the ends it may be the end of its face.
-    c.corner = corner_on_face(g, c.a, g.pose(c.a, sampled(c.a).halfway.head<3>()), c.b,
-                              g.pose(c.b, sampled(c.b).halfway.head<3>()),
+    c.corner = corner_on_face(g, c.a, sampled(c.a).halfway.pose, c.b, sampled(c.b).halfway.pose,
                               step.found.id[static_cast<std::size_t>(c.contact)]);
   }
   if (!look(step) || is_continued(step)) return false;
@@ -189,14 +188,14 @@ bool GaussIsland::is_needed(const GaussStep& step) const {
   if (off(step, kLeft) > kNeeded) return true;
   const auto turns = [&](BodyIndex body) {
     return !step.world.shapes().is_disc(body) &&
-           std::abs(sampled(body).end[2] - sampled(body).start[2]) > kStill;
+           std::abs(sampled(body).end.y[2] - sampled(body).start.y[2]) > kStill;
   };
   // Of the size, in about half of the step: how far a contact moves along a body.
   const auto moves_along = [&](const GaussContact& c, BodyIndex body) {
     const World& world = step.world;
     if (world.infinite_mass(body) || world.shapes().is_disc(body)) return 0.0;
     const auto place = [&](std::size_t k) {
-      const Kinematics& at = sampled(body).at[k];
+      const Kinematics& at = sampled(body).at[k].y;
       return turned_by(-at[2], Vec2(c.at[k].point - at.head<2>()));
     };
     return (place(1) - place(0)).norm() / world.shapes().size[body];

@@ -233,6 +233,9 @@ void RestingContacts::fly(World& world, double h) {
   for (BodyIndex i{0}; i < n; ++i) {
     if (world.model->is_kinematic(i)) move(i);
   }
+  flight_.pose.resize(static_cast<std::size_t>(n));
+  for (BodyIndex i{0}; i < n; ++i)
+    flight_.pose[static_cast<std::size_t>(i)] = world.shapes().pose(i, flight_.position.col(i));
   free_ = flight_.velocity - h * flight_.by;
 }
 
