@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -19,19 +20,23 @@ constexpr int kRefinements = 2;
 
 }  // namespace
 
+// The variable of a column becomes basic, and that of a row takes its column.
 void LcpSolver::exchange(int row, int column) {
   const double inverse = 1.0 / at(row, column);
   double* const pivot_row = &at(row, 0);
+  std::swap(unit_[row], pivot_row[column]);
+  unit_[row] *= inverse;
   for (int c = 0; c < columns_; ++c) pivot_row[c] *= inverse;
   for (int r = 0; r < size_; ++r) {
     if (r == row) continue;
     double* const other = &at(r, 0);
-    const double factor = other[column];
+    const double factor = std::exchange(other[column], 0.0);
     if (factor == 0.0) continue;
     for (int c = 0; c < columns_; ++c) other[c] -= factor * pivot_row[c];
-    other[column] = 0.0;
   }
-  basis_[row] = column;
+  std::swap(basis_[row], outside_[column]);
+  column_of_[basis_[row]] = -1;
+  column_of_[outside_[column]] = column;
 }
 
 // The row with the least ratio of right-hand side to pivot. Ties are broken by the columns of w in order,
@@ -44,8 +49,7 @@ int LcpSolver::leaving_row(int column) {
     if (at(r, column) > kLeastPivot) candidates_.push_back(r);
   }
   for (int key = -1; key < size_ && candidates_.size() > 1; ++key) {
-    const int of = key < 0 ? covering + 1 : key;
-    const auto ratio = [&](int r) { return at(r, of) / at(r, column); };
+    const auto ratio = [&](int r) { return (key < 0 ? at(r, columns_ - 1) : entry(r, key)) / at(r, column); };
     double least = ratio(candidates_.front());
     for (const int r : candidates_) least = std::min(least, ratio(r));
     const double limit = least + kTie * (1.0 + std::abs(least));
@@ -74,7 +78,7 @@ void LcpSolver::read_basis(const Eigen::Ref<const Eigen::MatrixXd>& m, double ep
       }
     }
     for (int r = 0; r < size_; ++r) {
-      for (int i = 0; i < size_; ++i) value_[r] += at(r, i) * residual_[i];
+      for (int i = 0; i < size_; ++i) value_[r] += entry(r, i) * residual_[i];
     }
   }
   z_.assign(size_, 0.0);
@@ -86,25 +90,32 @@ void LcpSolver::read_basis(const Eigen::Ref<const Eigen::MatrixXd>& m, double ep
 bool LcpSolver::pivot_to_solution(const Eigen::Ref<const Eigen::MatrixXd>& m, double epsilon) {
   // w - (M + ε I) z - (1, ..., 1) z_0 = q - ε z_k
   const int covering = 2 * size_;
-  tableau_.assign(size_ * columns_, 0.0);
+  tableau_.resize(size_ * columns_);
   basis_.resize(size_);
+  unit_.assign(size_, 1.0);
+  outside_.resize(size_ + 1);
+  column_of_.assign(2 * size_ + 1, -1);
   candidates_.reserve(size_);
   int row = 0;  // the last of equal ones: lexicographically least of [q, I]
   for (int r = 0; r < size_; ++r) {
-    at(r, r) = 1.0;
-    for (int c = 0; c < size_; ++c) at(r, size_ + c) = -m(r, c);
-    at(r, size_ + r) -= epsilon;
-    at(r, covering) = -1.0;
+    for (int c = 0; c < size_; ++c) at(r, c) = -m(r, c);
+    at(r, r) -= epsilon;
+    at(r, size_) = -1.0;
     at(r, columns_ - 1) = proximal_[r];
     basis_[r] = r;
     if (proximal_[r] <= proximal_[row]) row = r;
   }
-  int entering = covering;
+  for (int c = 0; c <= size_; ++c) {
+    outside_[c] = size_ + c;
+    column_of_[size_ + c] = c;
+  }
+  int entering = size_;  // a column
   for (int pivots = 0; pivots < kMostPivotsPerRow * (size_ + 1); ++pivots) {
     const int leaving = basis_[row];
     exchange(row, entering);
     if (leaving == covering) return true;
-    entering = leaving < size_ ? leaving + size_ : leaving - size_;  // the complement of the variable that left
+    // The complement of the variable that left.
+    entering = column_of_[leaving < size_ ? leaving + size_ : leaving - size_];
     row = leaving_row(entering);
     if (row < 0) return false;
   }
@@ -114,7 +125,7 @@ bool LcpSolver::pivot_to_solution(const Eigen::Ref<const Eigen::MatrixXd>& m, do
 // True if zero is the solution.
 bool LcpSolver::begin(const Eigen::Ref<const Eigen::VectorXd>& q) {
   size_ = static_cast<int>(q.size());
-  columns_ = 2 * size_ + 2;
+  columns_ = size_ + 2;
   z_.assign(size_, 0.0);
   return size_ == 0 || q.minCoeff() >= 0.0;
 }

@@ -32,6 +32,11 @@ class LcpSolver {
 
  private:
   [[nodiscard]] double& at(int row, int column) { return tableau_[row * columns_ + column]; }
+  // Of the column of a variable, which is that of the unit matrix, but for rounding, if it is basic.
+  [[nodiscard]] double entry(int row, int variable) {
+    if (column_of_[variable] >= 0) return at(row, column_of_[variable]);
+    return basis_[row] == variable ? unit_[row] : 0.0;
+  }
   [[nodiscard]] bool begin(const Eigen::Ref<const Eigen::VectorXd>& q);
   void exchange(int row, int column);
   [[nodiscard]] int leaving_row(int column);
@@ -42,8 +47,12 @@ class LcpSolver {
 
   int size_ = 0;
   int columns_ = 0;
-  std::vector<double> tableau_;  // n rows; columns: w, z, covering variable, right-hand side
-  std::vector<int> basis_;       // the variable of each row, numbered like the columns
+  // Variables are numbered w, z, covering variable; the last column of the tableau is the right-hand side.
+  std::vector<double> tableau_;  // n rows, a column for each variable that is not basic
+  std::vector<int> basis_;       // the variable of each row
+  std::vector<double> unit_;     // by row: the entry of that variable
+  std::vector<int> outside_;     // the variable of each column
+  std::vector<int> column_of_;   // by variable; -1: it is basic
   std::vector<int> candidates_;
   std::vector<double> proximal_;  // q - ε z_k
   std::vector<double> value_;
