@@ -140,8 +140,8 @@ void GaussIsland::sample(const GaussStep& step) {
 // Reads the contacts off the present flights. False if one is not what it was.
 bool GaussIsland::look(const GaussStep& step) {
   for (GaussContact& c : closed_) {
-    const Sampled& a = sampled(c.a);
-    const Sampled& b = sampled(c.b);
+    const Sampled& a = sampled_[static_cast<std::size_t>(c.column_a)];
+    const Sampled& b = sampled_[static_cast<std::size_t>(c.column_b)];
     Contact contact;
     RowVelocity velocity;
     for (const std::size_t k : {0U, 1U}) {
@@ -231,19 +231,23 @@ void GaussIsland::add_column(const GaussStep& step, const GaussContact& c, std::
   const Vec2& n = at.normal;
   const Vec2 force = normal * n + tangential * crossed(n);
   answers_.setZero(3, static_cast<Eigen::Index>(bodies_.size()));
-  const auto push = [&](BodyIndex body, double sign, const Vec2& arm) {
-    answers_.col(column(body)) << sign * world.mass().inverse_mass[body] * force,
+  const auto push = [&](BodyIndex body, Eigen::Index column, double sign, const Vec2& arm) {
+    answers_.col(column) << sign * world.mass().inverse_mass[body] * force,
         sign * world.mass().inverse_inertia[body] * cross(arm, force);
   };
-  push(c.a, -1.0, at.arm_a);
-  push(c.b, 1.0, at.arm_b);
-  if (std::any_of(bodies_.begin(), bodies_.end(),
-                  [&](BodyIndex i) { return world.trajectories.is_jointed(i); }))
-    step.world.trajectories.project_changes(bodies_, answers_);
+  push(c.a, c.column_a, -1.0, at.arm_a);
+  push(c.b, c.column_b, 1.0, at.arm_b);
+  if (jointed_) step.world.trajectories.project_changes(bodies_, answers_);
+  const auto answers = [&](const GaussContact& other) {
+    const auto is_of = [&](BodyIndex body) {
+      return !world.infinite_mass(body) && (other.a == body || other.b == body);
+    };
+    return jointed_ || is_of(c.a) || is_of(c.b);
+  };
   for (const GaussContact& other : closed_) {
-    if (!other.presses) continue;
+    if (!other.presses || !answers(other)) continue;
     const RowVelocity u = contact_velocity(other.end.normal, other.end.arm_a, other.end.arm_b,
-                                           answers_.col(column(other.a)), answers_.col(column(other.b)));
+                                           answers_.col(other.column_a), answers_.col(other.column_b));
     matrix_(other.row, to) = u.normal;
     if (other.holds) matrix_(other.row + 1, to) = u.tangential;
   }
@@ -297,17 +301,18 @@ void GaussIsland::push(const GaussStep& step) {
     for (const std::size_t k : {0U, 1U}) {
       const GaussContact::AtPoint& at = c.at[k];
       const Vec2 force = at.normal_force * at.normal + at.tangential_force * crossed(at.normal);
-      const auto add = [&](BodyIndex body, double sign, const Vec2& arm) {
-        by_[k].col(column(body)).head<2>() += sign * world.mass().inverse_mass[body] * force;
-        by_[k](2, column(body)) += sign * world.mass().inverse_inertia[body] * cross(arm, force);
+      const auto add = [&](BodyIndex body, Eigen::Index column, double sign, const Vec2& arm) {
+        auto sum = by_[k].col(column);
+        sum.head<2>() += sign * world.mass().inverse_mass[body] * force;
+        sum[2] += sign * world.mass().inverse_inertia[body] * cross(arm, force);
       };
-      add(c.a, -1.0, at.arm_a);
-      add(c.b, 1.0, at.arm_b);
+      add(c.a, c.column_a, -1.0, at.arm_a);
+      add(c.b, c.column_b, 1.0, at.arm_b);
     }
   }
-  for (const BodyIndex body : bodies_) {
+  for (Eigen::Index i = 0; i < std::ssize(bodies_); ++i) {
+    const BodyIndex body = bodies_[static_cast<std::size_t>(i)];
     if (world.infinite_mass(body)) continue;
-    const auto i = column(body);
     world.trajectories.set_contact_acceleration(
         body, gauss_share(0, 0.0) * by_[0].col(i) + gauss_share(1, 0.0) * by_[1].col(i));
     world.trajectories.set_contact_rate(body, kRoot3 / step.h * (by_[1].col(i) - by_[0].col(i)));

@@ -65,8 +65,9 @@ struct GaussContact {
   };
   int contact = 0;
   BodyIndex a, b;
-  std::optional<CornerOnFace> corner;  // that touches at the start
-  int face = 0;                        // contacts of the same face slip alike
+  Eigen::Index column_a = 0, column_b = 0;  // of its bodies in the island
+  std::optional<CornerOnFace> corner;       // that touches at the start
+  int face = 0;                             // contacts of the same face slip alike
   bool presses = true;
   bool sticks = false;
   bool holds = false;       // it has the tangential force of all that stick on its face
@@ -140,6 +141,7 @@ class GaussIsland {
   std::vector<GaussContact> closed_;
   std::vector<bool> held_;              // by face
   std::vector<BodyIndex> bodies_;       // in rising order
+  bool jointed_ = false;                // some of them
   std::vector<Sampled> sampled_;        // by place in bodies_, as are the columns below
   Eigen::Matrix3Xd constant_;           // accelerations by the constant forces
   std::array<Eigen::Matrix3Xd, 2> by_;  // likewise by those at the Gauss points

@@ -122,6 +122,11 @@ bool GaussIsland::list(const GaussStep& step) {
     closed_.push_back(c);
   }
   sort_unique(bodies_);
+  jointed_ = step.world.trajectories.is_jointed(bodies_);
+  for (GaussContact& c : closed_) {
+    c.column_a = column(c.a);
+    c.column_b = column(c.b);
+  }
   return !closed_.empty();
 }
 
