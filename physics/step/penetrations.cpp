@@ -89,18 +89,25 @@ bool has_met(const Approach& at, double h, double tolerance) {
   return at.speed < 0.0 && at.contact.gap < std::min(kSameMoment * h * at.speed, -tolerance);
 }
 
-// Whether two discs are apart, or move apart: what most pairs that are near each other do.
-bool are_discs_that_miss(const World& world, BodyIndex a, BodyIndex b) {
+// Whether two bodies are discs that are apart, or move apart: what most pairs that are near each other do.
+enum class Discs { kApart, kParting, kClosing, kNone };
+Discs discs_of(const World& world, BodyIndex a, BodyIndex b) {
   const Geometry& g = world.shapes();
-  if (!g.is_disc(a) || !g.is_disc(b)) return false;
+  if (!g.is_disc(a) || !g.is_disc(b)) return Discs::kNone;
   const auto ya = world.trajectories.at_start(a);
   const auto yb = world.trajectories.at_start(b);
   const Vec2 d = yb.head<2>() - ya.head<2>();
   const auto [part_a, part_b] = g.first_parts(a, b);
   const double touch = g.shapes.rounding[part_a] + g.shapes.rounding[part_b];
   const double distance = d.squaredNorm();
+  if (distance >= touch * touch) return Discs::kApart;
   const Vec2 u = yb.segment<2>(3) - ya.segment<2>(3);
-  return distance >= touch * touch || (distance > 0.0 && d.dot(u) >= 0.0);
+  return distance > 0.0 && d.dot(u) >= 0.0 ? Discs::kParting : Discs::kClosing;
+}
+
+bool are_discs_that_miss(const World& world, BodyIndex a, BodyIndex b) {
+  const Discs discs = discs_of(world, a, b);
+  return discs == Discs::kApart || discs == Discs::kParting;
 }
 
 // Whether two parts close faster than gravity presses bodies together in a few steps.
@@ -116,8 +123,10 @@ bool is_true_impact(const World& world, BodyIndex a, BodyIndex b, const Contact&
 // What overlaps and closes, where a body that moves is in several pairs or one of a pair has several shapes:
 // all, or those that the impacts of struck bodies have set off. With these also what touches, if the scene says
 // so.
-void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighbours& neighbours, double h,
-               const std::vector<bool>* struck, std::vector<Hit>& hits) {
+void find_hits(World& world, const std::vector<WaitingPair>& pairs, bool all, double h,
+               PenetrationScratch& scratch) {
+  const Neighbours& neighbours = scratch.neighbours;
+  std::vector<Hit>& hits = scratch.in_order.hits;
   hits.clear();
   const auto has_others = [&](BodyIndex body) {
     return !world.infinite_mass(body) && neighbours.of(body).size() > 1;
@@ -125,15 +134,15 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighb
   const auto may_be_several = [&](BodyIndex a, BodyIndex b) {
     return has_others(a) || has_others(b) || world.shapes().has_parts(a) || world.shapes().has_parts(b);
   };
-  const auto is_struck = [&](BodyIndex body) { return (*struck)[static_cast<std::size_t>(body)]; };
+  const auto marks = [&](BodyIndex body) { return scratch.marks[static_cast<std::size_t>(body)]; };
   for (const auto& [a, b, resting] : pairs) {
-    if (struck != nullptr && !is_struck(a) && !is_struck(b)) continue;
+    // Nothing is new between bodies that have not been stirred since.
+    if (!all && (marks(a) | marks(b)) != PenetrationScratch::kBoth) continue;
     if (resting || !world.can_collide(a, b) || !may_be_several(a, b) || are_discs_that_miss(world, a, b))
       continue;
     world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
       const Approach at = overlap_of(world, a, b, {part_a, part_b}, neighbours);
-      if (has_met(at, h, touch_tolerance(world, a, b)) &&
-          (struck == nullptr || is_true_impact(world, a, b, at.contact, h)))
+      if (has_met(at, h, touch_tolerance(world, a, b)) && (all || is_true_impact(world, a, b, at.contact, h)))
         hits.push_back({a, b, at.contact, -at.contact.gap / at.speed});
     });
   }
@@ -146,6 +155,35 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighb
       if (at.contact.gap <= tolerance && !has_met(at, h, tolerance)) hits.push_back({a, b, at.contact, 0.0});
     });
   }
+}
+
+// Before a round: marks the bodies of its hits, and keeps all motions.
+void mark_hits(const World& world, double h, PenetrationScratch& scratch) {
+  for (std::uint8_t& marks : scratch.marks) marks &= PenetrationScratch::kStruck;
+  scratch.before.resize(Eigen::NoChange, world.bodies());
+  for (BodyIndex i{0}; i < world.bodies(); ++i)
+    scratch.before.col(i) = world.trajectories.at_start(i).head<kMotionRows>();
+  for (const Hit& hit : scratch.in_order.hits) {
+    const auto marks = is_true_impact(world, hit.a, hit.b, hit.contact, h) ? PenetrationScratch::kBoth
+                                                                           : PenetrationScratch::kStirred;
+    for (const BodyIndex body : {hit.a, hit.b}) {
+      if (!world.infinite_mass(body)) scratch.marks[static_cast<std::size_t>(body)] |= marks;
+    }
+  }
+}
+
+// After it: marks the bodies that it has stirred, too; all of them where it has moved one.
+void mark_stirred(const World& world, PenetrationScratch& scratch) {
+  bool moved = false;
+  for (BodyIndex i{0}; i < world.bodies(); ++i) {
+    const auto now = world.trajectories.at_start(i).head<kMotionRows>();
+    const auto before = scratch.before.col(i);
+    if (now == before) continue;
+    scratch.marks[static_cast<std::size_t>(i)] |= PenetrationScratch::kStirred;
+    moved = moved || now.head<3>() != before.head<3>();
+  }
+  if (!moved) return;
+  for (std::uint8_t& marks : scratch.marks) marks |= PenetrationScratch::kStirred;
 }
 
 // `with_energy`: enters the change of energy.
@@ -193,6 +231,7 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
   const auto strike = [&](const WaitingPair& pair, const ShapePair& parts) -> std::optional<Contact> {
     const auto [a, b, resting] = pair;
     if (!world.can_collide(a, b)) return std::nullopt;  // one body by now
+    if (discs_of(world, a, b) == Discs::kApart) return std::nullopt;
     Approach at = overlap_of(world, a, b, parts, neighbours);
     const Contact contact = at.contact;
     if (contact.gap >= 0.0 || (!resting && at.speed < 0.0 && !has_met(at, h, touch_tolerance(world, a, b))))
@@ -219,18 +258,14 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
     if (!is_true_impact(world, hit.a, hit.b, hit.contact, h)) return;
     strike({hit.a, hit.b, false}, world.shapes().parts_or_first(hit.contact.parts, hit.a, hit.b));
   };
-  scratch.struck.assign(static_cast<std::size_t>(world.bodies()), false);
-  std::vector<Hit>& hits = scratch.in_order.hits;
+  scratch.marks.assign(static_cast<std::size_t>(world.bodies()), 0);
   for (int round = 1; round <= kMostRounds; ++round) {
-    find_hits(world, pairs, neighbours, h, round == 1 ? nullptr : &scratch.struck, hits);
-    if (hits.empty()) break;
-    for (const Hit& hit : hits) {
-      if (!is_true_impact(world, hit.a, hit.b, hit.contact, h)) continue;
-      for (const BodyIndex body : {hit.a, hit.b})
-        scratch.struck[static_cast<std::size_t>(body)] = !world.infinite_mass(body);
-    }
+    find_hits(world, pairs, round == 1, h, scratch);
+    if (scratch.in_order.hits.empty()) break;
+    mark_hits(world, h, scratch);
     // By reference: a step allocates nothing.
     resolve_in_order(world, scratch.in_order, h, now, std::cref(strike_alone));
+    mark_stirred(world, scratch);
   }
 
   if (all_at_once) correction -= field.potential_energy(world.state.q);

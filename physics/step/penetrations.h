@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "physics/step/hits_in_order.h"
@@ -25,7 +27,10 @@ struct Push {
 struct PenetrationScratch {
   Neighbours neighbours;
   HitsInOrder in_order;
-  std::vector<bool> struck;  // by body
+  // By body: struck in some round; hit, or set in motion, in the last one.
+  enum Mark : std::uint8_t { kStruck = 1, kStirred = 2, kBoth = kStruck | kStirred };
+  std::vector<std::uint8_t> marks;
+  Eigen::Matrix<double, kMotionRows, Eigen::Dynamic> before;  // motions before it
   std::vector<Push> pushes;
 };
 
