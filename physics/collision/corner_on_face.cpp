@@ -1,5 +1,7 @@
 #include "physics/collision/corner_on_face.h"
 
+#include <algorithm>
+
 #include "physics/collision/feature_id.h"
 #include "physics/math/vectors.h"
 
@@ -66,12 +68,12 @@ std::optional<CornerOnFace> corner_on_face(const Geometry& g, BodyIndex a, const
   return CornerOnFace{parts, false, of_a, features.of_b};
 }
 
-bool is_over_face(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b, const Pose& pose_b,
-                  const CornerOnFace& touch, double near) {
+double beyond_face(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b, const Pose& pose_b,
+                   const CornerOnFace& touch) {
   const CornerAndFace at(g, a, pose_a, b, pose_b, touch);
-  if (at.of_half_plane) return true;
+  if (at.of_half_plane) return 0.0;
   const double place = cross(at.face.normal, at.face_at.turned_back(at.corner) - at.face.vertex);
-  return place >= -near && place <= at.face.length + near;
+  return place - std::clamp(place, 0.0, at.face.length);
 }
 
 Contact contact_on_line(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b, const Pose& pose_b,

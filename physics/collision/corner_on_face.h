@@ -22,9 +22,9 @@ struct CornerOnFace {
 // corner on a face.
 [[nodiscard]] std::optional<CornerOnFace> corner_on_face(const Geometry& g, BodyIndex a, const Pose& pose_a,
                                                          BodyIndex b, const Pose& pose_b, std::uint32_t id);
-// Whether the corner is not beyond the ends of its face by more than `near` (m).
-[[nodiscard]] bool is_over_face(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b,
-                                const Pose& pose_b, const CornerOnFace& touch, double near);
+// m: how far the corner is beyond the end of its face, or, below 0, before its start; 0 between them.
+[[nodiscard]] double beyond_face(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b,
+                                 const Pose& pose_b, const CornerOnFace& touch);
 [[nodiscard]] Contact contact_on_line(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b,
                                       const Pose& pose_b, const CornerOnFace& touch);
 

@@ -80,4 +80,19 @@ template <class PoseOf>
   return on_internal_edge(world, a, b, contact, others, pose);
 }
 
+// rad: beyond an end the normal turns to this side of the face's own; far enough to tell a corner from
+// rounding.
+inline constexpr double kBeyond = 0.05;
+
+// Whether another part goes on with the face of a body beyond its end, or its start, under a part of a toucher.
+template <class PoseOf>
+[[nodiscard]] bool goes_on_past(const World& world, BodyIndex body, const Face& face, bool at_end,
+                                BodyIndex toucher, ShapeIndex toucher_part, std::span<const BodyIndex> others,
+                                const PoseOf& pose) {
+  const Pose of_face = world.shapes().part_pose(body, face.part, pose(body));
+  const Vec2 past = of_face.turned(turned_by(at_end ? kBeyond : -kBeyond, face.normal));
+  return goes_on(world, {body, face.part, of_face, past}, {toucher, toucher_part, {}, {}},
+                 face.at(at_end ? face.length : 0.0), others, pose);
+}
+
 }  // namespace carom

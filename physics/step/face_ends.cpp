@@ -23,10 +23,6 @@ constexpr double kCornerAtEnd = 3e-10;
 constexpr double kLeaves = 4e-10;
 // rad: corners that turn by less are no ends; the normal turns there as along a curve.
 constexpr double kLeastCorner = 0.05;
-// rad: beyond an end the normal turns to this side of the face's own; far enough to tell a corner from
-// rounding.
-constexpr double kBeyond = 0.05;
-
 // m: of a place along the face, how far it is to the end that the touch comes to.
 double left_to(const TouchNearEnd& touch, double place) {
   const double end = touch.towards_end != touch.comes_on ? touch.on.face.length : 0.0;
@@ -115,12 +111,9 @@ bool ends_there(World& world, const TouchNearEnd& touch, double time, const Neig
       return false;
   }
   const auto pose = [&](BodyIndex i) { return g.pose(i, world.trajectories.place(i, time)); };
-  const Pose of_face = g.part_pose(on.body, face.part, pose(on.body));
-  const Vec2 past = turned_by(sign * kBeyond, face.normal);
   const auto [a, b] = std::minmax(on.body, on.toucher);
-  return !goes_on(world, {on.body, face.part, of_face, of_face.turned(past)},
-                  {on.toucher, on.toucher_part, {}, {}}, face.at(touch.towards_end ? face.length : 0.0),
-                  neighbours.of_pair(world, a, b), pose);
+  return !goes_on_past(world, on.body, face, touch.towards_end, on.toucher, on.toucher_part,
+                       neighbours.of_pair(world, a, b), pose);
 }
 
 // Two corners that leave each other: each moves out of the other body.

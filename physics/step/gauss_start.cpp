@@ -186,7 +186,7 @@ bool GaussIsland::is_needed(const GaussStep& step) const {
     const double full = friction_of(step, c) * found.normal_impulse[c.contact];
     return std::abs(found.tangential_impulse[c.contact] + c.slips * full) > kFull * full;
   };
-  const auto may_rub = [&](const GaussContact& c) { return c.presses && rubs(step, c); };
+  const auto may_rub = [&](const GaussContact& c) { return rubs(step, c) && (c.presses || closes(step, c)); };
   if (choice_of(kIntegrators, step.world.method.integrator).order == 2 &&
       std::none_of(closed_.begin(), closed_.end(), may_rub))
     return false;

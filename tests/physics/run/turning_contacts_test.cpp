@@ -186,6 +186,36 @@ TEST(TurningContacts, ALadderHasTheIntegratorsOrder) {
   }
 }
 
+// A thin smooth one, whose ends are touched from their other side once it has turned by 45°. Its kinetic energy
+// is m (L ω)²/6 while both ends touch.
+TEST(TurningContacts, AThinLadderGoesOnPast45Degrees) {
+  constexpr double kLength = 2.0;  // m
+  constexpr double kAngle = 1.2;   // rad
+  for (const IntegratorId integrator : {IntegratorId::kVelocityVerlet, IntegratorId::kRk4}) {
+    for (const double h : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0}) {
+      Body body = test::disc("ladder", 0.5 * kLength * Vec2(std::cos(kAngle), std::sin(kAngle)), {0.0, 0.0});
+      body.shape = Wall{kLength};
+      body.angle = -kAngle;
+      body.inertia = kLength * kLength / 12.0;
+      Body floor = test::fixed("floor", Wall{}, {0.0, 0.0});
+      Body wall = floor;
+      wall.name = "wall";
+      wall.angle = -0.5 * std::numbers::pi;
+      RunSetup s = test::setup_with({floor, wall, body}, 0.0, 0.0);
+      s.scene.forces.gravity = {0.0, -kG};
+      s.method = method(integrator, ImpactsId::kLocated, h);
+      Simulation run(s);
+      run.advance_to(0.55);
+      SCOPED_TRACE(testing::Message() << static_cast<int>(integrator) << ' ' << h);
+      const double spin =
+          std::sqrt(3.0 * kG / kLength * (std::sin(kAngle) + std::sin(run.state().q.col(2)[2])));
+      EXPECT_NEAR(run.state().v.col(2)[2], spin, 3.0 * h * h);
+      EXPECT_EQ(run.impact_count(), 0);
+      EXPECT_LT(run.ledger().lost_to_restitution, 1e-5);
+    }
+  }
+}
+
 // Two discs on a rod roll off a fixed one: what closes their contacts passes through the rod.
 TEST(TurningContacts, RodsShareTheContactForces) {
   const auto on_top = [](double angle) { return Vec2(1.3 * Vec2(std::sin(angle), std::cos(angle))); };
