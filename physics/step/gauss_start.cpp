@@ -16,8 +16,9 @@
 namespace carom {
 namespace {
 
-// Contacts of the largest island.
-constexpr std::size_t kMostContacts = 32;
+// Contacts of the largest island, without friction and with it.
+constexpr std::size_t kMostSmooth = 64;
+constexpr std::size_t kMostRubbing = 32;
 // Of a step: a shorter part has constant forces, as gaps within rounding would need large ones to close in it.
 constexpr double kShortest = 1e-5;
 // Times the tolerance, and relative to the smaller body: constant forces that leave less are kept where nothing
@@ -73,8 +74,10 @@ bool rubs(const GaussStep& step, const GaussContact& c) {
 
 bool GaussIsland::begin(const GaussStep& step, std::span<const int> contacts) {
   contacts_ = contacts;
-  if (contacts.size() > kMostContacts || step.h < kShortest * step.world.method.step || !list(step))
-    return false;
+  const bool rub = std::any_of(contacts.begin(), contacts.end(),
+                               [&](int i) { return step.found.contacts.kinetic_friction[i] > 0.0; });
+  if (contacts.size() > (rub ? kMostRubbing : kMostSmooth)) return false;
+  if (step.h < kShortest * step.world.method.step || !list(step)) return false;
   constant_.resize(3, static_cast<Eigen::Index>(bodies_.size()));
   for (const BodyIndex body : bodies_)
     constant_.col(column(body)) = step.world.field().contact_acceleration(body);

@@ -380,6 +380,31 @@ TEST(TurningContacts, ACirclingPairKeepsItsAngularMomentum) {
 }
 
 // 20 rough discs in contact, spinning and moving as they were thrown together.
+// 20 smooth discs in rows, at 43 contacts, turn as one body while they attract each other: more contacts than
+// their places determine.
+TEST(TurningContacts, ATurningClusterHasTheIntegratorsOrder) {
+  constexpr double kRadius = 0.1;  // m
+  for (const double h : {0.02, 0.01}) {
+    RunSetup s = test::setup_with({}, 0.0, 0.0);
+    for (int i = 0; i < 20; ++i) {
+      const int row = i / 4;
+      const Vec2 place(2.0 * kRadius * (i % 4 + 0.5 * (row % 2)) - 0.7, std::sqrt(3.0) * kRadius * row - 0.35);
+      s.scene.bodies.push_back(test::disc("disc-" + std::to_string(i), place, crossed(place), kRadius));
+      s.scene.bodies.back().spin = 1.0;
+    }
+    s.scene.forces.attraction = {1.0, 0.1};
+    s.method = method(IntegratorId::kRk4, ImpactsId::kLocated, h);
+    Simulation run(s);
+    const double angular_momentum = run.totals().angular_momentum;
+    const double energy = run.totals().energy();
+    run.advance_to(1.0);
+    EXPECT_NEAR(run.totals().angular_momentum, angular_momentum, std::pow(h, 4) * std::abs(angular_momentum))
+        << h;
+    EXPECT_NEAR(run.totals().energy(), energy, 5.0 * std::pow(h, 4)) << h;
+    EXPECT_EQ(run.impact_count(), 0) << h;
+  }
+}
+
 TEST(TurningContacts, AFreeClusterKeepsItsAngularMomentum) {
   for (const auto& impacts : kImpacts) {
     test::Draws draw(3);
