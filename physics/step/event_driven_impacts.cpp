@@ -181,10 +181,17 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
   const auto may_divide = [most](int part) { return part < most; };
   for (int part = 1;; ++part) {
     const double left = step.h;
-    const double supported = resting.supported();
     step.may_divide = may_divide(part);
     std::optional<LandingTime> landing;
-    if (step.may_divide) landing = resting.first_landing(world, supported);
+    const auto find_landing = [&] {
+      if (step.may_divide) landing = resting.first_landing(world, resting.supported());
+    };
+    find_landing();
+    if (landing && resting.end_linear_forces(world, landing->time)) {
+      rebuild_all(step);
+      find_landing();
+    }
+    const double supported = resting.supported();
     if (landing && !(landing->time < supported && divides(step, landing->time))) landing.reset();
     if (landing && landing->time == 0.0) {
       resting.land(world, *landing);

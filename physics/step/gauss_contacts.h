@@ -37,7 +37,8 @@ class GaussContacts {
   double improve(World& world, double h, const Neighbours& neighbours, double tolerance, double slip_speed,
                  const Islands& islands, double least, FoundContacts& found);
   void clear();
-  // Whether the forces of this contact are linear.
+  // Whether the forces of some contact are linear; of this one.
+  [[nodiscard]] bool any() const { return !all_.empty(); }
   [[nodiscard]] bool has(int contact) const {
     return !improved_.empty() && improved_[static_cast<std::size_t>(contact)] != 0;
   }

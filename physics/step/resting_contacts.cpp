@@ -52,6 +52,8 @@ constexpr double kAbout = 0.9;
 constexpr double kWhole = 1.0 - 1e-6;
 // Of a step: in a crowd, where something changes its mode nearly always, no shorter part begins and ends so.
 constexpr double kShortest = 1e-3;
+// Of a step: linear forces are not found again for a shorter part.
+constexpr double kLeastEnd = 1e-3;
 // Rounds in which contacts are kept that would sink in.
 constexpr int kMostSinking = 8;
 // Of the time until a face ends.
@@ -124,6 +126,16 @@ void RestingContacts::support_found(World& world, double h) {
     holds = hold(world, supported_,
                  round < kMostEnds ? std::min(shortest, kAbout * supported_) : kAbout * supported_);
   }
+}
+
+bool RestingContacts::end_linear_forces(World& world, double time) {
+  if (!linear_.any() || !moves_few(world)) return false;
+  if (!(time > kLeastEnd * whole_step_ && time < kWhole * supported_)) return false;
+  supported_ = time;
+  take_off_forces(world);
+  find_contacts(world, supported_);
+  supported_ = std::min(supported_, hold(world, supported_, kAbout * supported_));
+  return true;
 }
 
 // s: no mode divides a shorter one.
