@@ -120,9 +120,9 @@ ClosestFeatures at_farthest(const Sum& sum) {
 PairFrame::PairFrame(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose_a, ShapeIndex j,
                      const Pose& pose_b)
     : a(shapes.corners_of(i)), b(shapes.corners_of(j)), edges_a(shapes.edges(i)), edges_b(shapes.edges(j)) {
-  const Pose relative{pose_a.turned_back(pose_b.position - pose_a.position),
-                      pose_a.cos * pose_b.cos + pose_a.sin * pose_b.sin,
-                      pose_a.cos * pose_b.sin - pose_a.sin * pose_b.cos};
+  relative = {pose_a.turned_back(pose_b.position - pose_a.position),
+              pose_a.cos * pose_b.cos + pose_a.sin * pose_b.sin,
+              pose_a.cos * pose_b.sin - pose_a.sin * pose_b.cos};
   scale = relative.position.lpNorm<Eigen::Infinity>() + shapes.core_radius[i] + shapes.core_radius[j];
   for (int k = 0; k < shapes.corners[j]; ++k) {
     vertex[k] = relative.position + relative.turned(b[k].vertex);

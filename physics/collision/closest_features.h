@@ -15,6 +15,7 @@ struct PairFrame {
   int edges_a;
   int edges_b;
   double scale;                            // m, of the coordinates here
+  Pose relative;                           // of b
   std::array<Vec2, kMostVertices> vertex;  // of b, in the frame of a
   std::array<Vec2, kMostVertices> normal;
 

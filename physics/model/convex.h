@@ -46,6 +46,15 @@ struct Corner {
   double length;  // m, of the edge; 0 at the ends of a segment
 };
 
+// Outward normals at a corner that others meet: those between the faces before and after it which are left
+// bare, its own or those of others flush with it. Where all of them together are flat or reentrant, only the
+// bare faces have normals; one that is covered is zero.
+struct CornerCone {
+  Vec2 last;
+  Vec2 next;
+  bool reentrant = false;
+};
+
 // The shapes of N bodies as arrays. Body i has the corners first[i] ... first[i] + corners[i] - 1 of
 // `corner`. A segment is stored as a rectangle of zero width: four corners v0 v1 v1 v0, with an edge of its
 // length on each side and an edge of zero length at each end. So every core but a point has edges that turn
@@ -60,6 +69,16 @@ struct ConvexShapes {
       core_radius;                     // m, of the circle about the origin that contains the core; 0 for a disc
   ArrayOf<ShapeIndex, double> radius;  // m, of the circle that contains the body; infinite for a half-plane
 
+  std::vector<int> cone_of;  // of `cones`, by corner; -1: only its own part is there. Empty where that is all
+  std::vector<CornerCone> cones;
+
+  // That of corner k of a part in its frame.
+  [[nodiscard]] CornerCone cone_at(ShapeIndex i, int k) const {
+    const int cone = cone_of.empty() ? -1 : cone_of[static_cast<std::size_t>(first[i] + k)];
+    if (cone >= 0) return cones[static_cast<std::size_t>(cone)];
+    const Corner* of = corners_of(i);
+    return {of[k == 0 ? corners[i] - 1 : k - 1].normal, of[k].normal, false};
+  }
   [[nodiscard]] const Corner* corners_of(ShapeIndex i) const { return corner.data() + first[i]; }
   // Number of edges in the contact search: none for a point.
   [[nodiscard]] int edges(ShapeIndex i) const { return core[i] == Core::kPoint ? 0 : corners[i]; }

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "physics/model/bodies_by_name.h"
+#include "physics/model/corner_cones.h"
 
 namespace carom {
 namespace {
@@ -93,6 +94,7 @@ Geometry geometry(const std::vector<Body>& bodies, const std::vector<Joint>& joi
     if (joint.kind == JointKind::kWeld) g.welded.join(a, b);
   }
   std::sort(g.pinned.begin(), g.pinned.end());
+  find_corner_cones(bodies, g);
   return g;
 }
 
