@@ -103,6 +103,7 @@ void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) 
     last_impact_ = -1.0;
     stretch_ = 1.0;
     rebuild_all(step);
+    if (resting == nullptr) search_all(step);
     running_ = true;
   }
   // Where trajectories continue across steps, the epoch advances by leaps that don't depend on h. Times stay
@@ -199,6 +200,7 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
       begin_part(step, may_divide(part + 1));
       continue;
     }
+    search_all(step);
     const std::optional<double> stops =
         process_until(step, landing ? landing->time : supported, landing ? &landing->landing : nullptr);
     if (stops) landing.reset();
@@ -341,6 +343,7 @@ bool EventDrivenImpacts::resolve_alone(const Step& step, BodyIndex a, BodyIndex 
     note_disturbed(step, a, b, time);
     last_impact_ = time;
     rebuild_all(step);
+    search_all(step);
     return false;
   }
   const bool divides = classify_rebound(step, a, b, contact, rests, time, guarded);

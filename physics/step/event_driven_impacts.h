@@ -97,7 +97,9 @@ class EventDrivenImpacts {
   void resolve_end_of_step(const Step& step, double target);
 
   void choose_cells(const World& world, double horizon);
+  // Rebuilds all trajectories and empties the schedule; search_all() fills it.
   void rebuild_all(const Step& step);
+  void search_all(const Step& step);
   // Rebuilds an island's trajectory and puts the bounds of its path into the grid.
   void rebuild(const Step& step, IslandIndex island);
   // Rebuilds these islands and schedules their next impacts.

@@ -72,6 +72,11 @@ void EventDrivenImpacts::rebuild_all(const Step& step) {
     grid_.put(i, {x - world.shapes().extent.col(i).array(), x + world.shapes().extent.col(i).array()});
   }
   for (const IslandIndex k : world.trajectories.islands()) rebuild(step, k);
+}
+
+void EventDrivenImpacts::search_all(const Step& step) {
+  World& world = step.world;
+  const int n = world.bodies();
   // Each pair once: from its movable body with the higher index, or from its only movable body.
   const SearchRules rules = search_rules(step);
   std::size_t left = BroadPhase::most_pairs(world.model->bodies());
