@@ -114,7 +114,7 @@ bool are_discs_that_miss(const World& world, BodyIndex a, BodyIndex b) {
 bool is_true_impact(const World& world, BodyIndex a, BodyIndex b, const Contact& contact, double h) {
   double least = kFewSteps * h * world.model->forces.gravity.norm();  // m/s
   for (const BodyIndex i : {a, b}) {
-    const Motion motion = world.trajectories.at_start(i);
+    const auto motion = world.trajectories.at_start(i);
     least += 16.0 * kEpsilon * (motion.segment<2>(3).norm() + std::abs(motion[5]) * world.shapes().size[i]);
   }
   return -world.parting_speed(a, b, contact) > least;
@@ -157,33 +157,38 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, bool all, do
   }
 }
 
-// Before a round: marks the bodies of its hits, and keeps all motions.
-void mark_hits(const World& world, double h, PenetrationScratch& scratch) {
-  for (std::uint8_t& marks : scratch.marks) marks &= PenetrationScratch::kStruck;
-  scratch.before.resize(Eigen::NoChange, world.bodies());
-  for (BodyIndex i{0}; i < world.bodies(); ++i)
-    scratch.before.col(i) = world.trajectories.at_start(i).head<kMotionRows>();
+// Before a round, the first or another: marks the bodies of its hits, and those that joints may move with them.
+void mark_hits(const World& world, bool first, double h, PenetrationScratch& scratch) {
+  const auto marks = [&](BodyIndex body) -> std::uint8_t& {
+    return scratch.marks[static_cast<std::size_t>(body)];
+  };
+  for (std::uint8_t& of_body : scratch.marks) of_body &= PenetrationScratch::kStruck;
   for (const Hit& hit : scratch.in_order.hits) {
-    const auto marks = is_true_impact(world, hit.a, hit.b, hit.contact, h) ? PenetrationScratch::kBoth
-                                                                           : PenetrationScratch::kStirred;
+    const bool struck = !first || is_true_impact(world, hit.a, hit.b, hit.contact, h);
     for (const BodyIndex body : {hit.a, hit.b}) {
-      if (!world.infinite_mass(body)) scratch.marks[static_cast<std::size_t>(body)] |= marks;
+      if (world.infinite_mass(body)) continue;
+      if (struck) marks(body) |= PenetrationScratch::kStruck;
+      for (const BodyIndex member : world.trajectories.members(world.trajectories.island_of(body)))
+        marks(member) |= PenetrationScratch::kStirred;
     }
   }
 }
 
-// After it: marks the bodies that it has stirred, too; all of them where it has moved one.
-void mark_stirred(const World& world, PenetrationScratch& scratch) {
-  bool moved = false;
-  for (BodyIndex i{0}; i < world.bodies(); ++i) {
-    const auto now = world.trajectories.at_start(i).head<kMotionRows>();
-    const auto before = scratch.before.col(i);
-    if (now == before) continue;
-    scratch.marks[static_cast<std::size_t>(i)] |= PenetrationScratch::kStirred;
-    moved = moved || now.head<3>() != before.head<3>();
+// The impacts of a step in the order in which they met, and in more rounds those that these set off. `now` is
+// in s after the epoch.
+void resolve_in_rounds(World& world, const std::vector<WaitingPair>& pairs, PenetrationScratch& scratch,
+                       double h, double now, const std::function<void(const Hit&)>& strike_alone) {
+  scratch.marks.assign(static_cast<std::size_t>(world.bodies()), 0);
+  for (int round = 1; round <= kMostRounds; ++round) {
+    find_hits(world, pairs, round == 1, h, scratch);
+    if (scratch.in_order.hits.empty()) break;
+    mark_hits(world, round == 1, h, scratch);
+    const std::size_t welds = world.trajectories.welds().size();
+    resolve_in_order(world, scratch.in_order, h, now, strike_alone);
+    if (world.trajectories.welds().size() == welds) continue;
+    // What sticks has moved, and others may continue its surface.
+    for (std::uint8_t& marks : scratch.marks) marks |= PenetrationScratch::kStirred;
   }
-  if (!moved) return;
-  for (std::uint8_t& marks : scratch.marks) marks |= PenetrationScratch::kStirred;
 }
 
 // `with_energy`: enters the change of energy.
@@ -227,6 +232,16 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
   // Each push changes the energy of attraction to all bodies: for many pairs the sum is taken once.
   const bool all_at_once = field.attracts() && world.model->joint_terms.all.empty() &&
                            !world.model->surfaces.stick && pairs.size() > world.model->bodies();
+  const auto strike_at = [&](const WaitingPair& pair, const Contact& contact, double speed) {
+    const auto [a, b, resting] = pair;
+    SurfaceLaw material = world.material(contact, a, b);
+    // A closing speed from the forces of this step must not bounce; a true impact on a resting pair must.
+    if (resting && -speed <= pressed_in(world, a, b, h)) material.restitution = 0.0;
+    const ImpactEffect of_pair =
+        apply_impact(world, a, b, pressed_contact(world, a, b, contact), material, now);
+    effect = std::max(effect, of_pair);
+    return of_pair;
+  };
   // Two parts of a pair, if they penetrate; the contact at which they are to be moved apart.
   const auto strike = [&](const WaitingPair& pair, const ShapePair& parts) -> std::optional<Contact> {
     const auto [a, b, resting] = pair;
@@ -244,29 +259,22 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
       if (k > 0) at = world.approach(a, b, -contact.gap, parts);
       if (at.contact.normal != contact.normal) break;  // there a neighbour continues the surface
       if (!(at.speed < -16.0 * kEpsilon * at.scale)) break;
-      SurfaceLaw material = world.material(at.contact, a, b);
-      // A closing speed from the forces of this step must not bounce; a true impact on a resting pair must.
-      if (resting && -at.speed <= pressed_in(world, a, b, h)) material.restitution = 0.0;
-      const ImpactEffect of_pair =
-          apply_impact(world, a, b, pressed_contact(world, a, b, at.contact), material, now);
-      effect = std::max(effect, of_pair);
-      if (of_pair == ImpactEffect::kJoined) return std::nullopt;
+      if (strike_at(pair, at.contact, at.speed) == ImpactEffect::kJoined) return std::nullopt;
     }
     return contact;
   };
   const auto strike_alone = [&](const Hit& hit) {
-    if (!is_true_impact(world, hit.a, hit.b, hit.contact, h)) return;
-    strike({hit.a, hit.b, false}, world.shapes().parts_or_first(hit.contact.parts, hit.a, hit.b));
+    const auto& [a, b, contact, moment] = hit;
+    if (!is_true_impact(world, a, b, contact, h)) return;
+    if ((world.shapes().is_disc(a) || world.shapes().is_disc(b)) && !world.model->surfaces.stick) {
+      // Where a disc touches does not depend on velocities, and nothing has moved.
+      strike_at({a, b, false}, contact, 0.0);
+    } else {
+      strike({a, b, false}, world.shapes().parts_or_first(contact.parts, a, b));
+    }
   };
-  scratch.marks.assign(static_cast<std::size_t>(world.bodies()), 0);
-  for (int round = 1; round <= kMostRounds; ++round) {
-    find_hits(world, pairs, round == 1, h, scratch);
-    if (scratch.in_order.hits.empty()) break;
-    mark_hits(world, h, scratch);
-    // By reference: a step allocates nothing.
-    resolve_in_order(world, scratch.in_order, h, now, std::cref(strike_alone));
-    mark_stirred(world, scratch);
-  }
+  // By reference: a step allocates nothing.
+  resolve_in_rounds(world, pairs, scratch, h, now, std::cref(strike_alone));
 
   if (all_at_once) correction -= field.potential_energy(world.state.q);
   scratch.pushes.clear();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
@@ -27,10 +26,9 @@ struct Push {
 struct PenetrationScratch {
   Neighbours neighbours;
   HitsInOrder in_order;
-  // By body: struck in some round; hit, or set in motion, in the last one.
+  // By body: struck in some round; hit in the last one, or joined to what was.
   enum Mark : std::uint8_t { kStruck = 1, kStirred = 2, kBoth = kStruck | kStirred };
   std::vector<std::uint8_t> marks;
-  Eigen::Matrix<double, kMotionRows, Eigen::Dynamic> before;  // motions before it
   std::vector<Push> pushes;
 };
 
