@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "physics/math/vectors.h"
 
@@ -68,7 +69,6 @@ struct PlacedPart {
   BodyIndex body;
   ShapeIndex part;
   Pose pose;
-  bool stays;  // its body does not move
 };
 
 // What own and other fill together, if they meet or overlap.
@@ -114,48 +114,70 @@ CornerCone cone_of(const Filled& own, std::vector<Filled> others) {
   return cone;
 }
 
+// Those of a part's corners at which some of these others are.
+void add_cones_of(const PlacedPart& own, const std::vector<PlacedPart>& near, ConvexShapes& shapes) {
+  for (int k = 0; k < shapes.corners[own.part]; ++k) {
+    const Corner* corner = shapes.corners_of(own.part);
+    const Vec2 point = own.pose.position + own.pose.turned(corner[k].vertex);
+    std::vector<Filled> others;
+    for (const PlacedPart& other : near) {
+      const double size = std::min(shapes.radius[own.part], shapes.radius[other.part]);
+      const double tolerance = kMeets * size + kFar * point.lpNorm<1>();
+      if (const auto filled = filled_at(shapes, other.part, other.pose, point, tolerance))
+        others.push_back(*filled);
+    }
+    if (others.empty()) continue;
+    const int last = k == 0 ? shapes.corners[own.part] - 1 : k - 1;
+    const double from = angle_of(own.pose.turned(crossed(corner[k].normal)));
+    const double to = angle_of(own.pose.turned(Vec2(-crossed(corner[last].normal))));
+    CornerCone cone = cone_of({from, turn_to(from, to)}, std::move(others));
+    cone.last = own.pose.turned_back(cone.last);
+    cone.next = own.pose.turned_back(cone.next);
+    if (shapes.cone_of.empty()) shapes.cone_of.assign(shapes.corner.size(), -1);
+    shapes.cone_of[static_cast<std::size_t>(shapes.first[own.part] + k)] =
+        static_cast<int>(shapes.cones.size());
+    shapes.cones.push_back(cone);
+  }
+}
+
 }  // namespace
 
 void find_corner_cones(const std::vector<Body>& bodies, Geometry& g) {
   ConvexShapes& shapes = g.shapes;
-  std::vector<PlacedPart> placed;
-  for (BodyIndex i{0}; i < static_cast<int>(bodies.size()); ++i) {
+  std::vector<PlacedPart> staying;  // of bodies that do not move
+  std::vector<PlacedPart> near;
+  const auto placed = [&](BodyIndex i, const auto& visit) {
     const Body& body = bodies[static_cast<std::size_t>(i)];
-    const bool stays = body.fixed && !body.drive;
-    if (!stays && !g.has_parts(i)) continue;
     const Vec2 along = direction_at(body.angle);
     const Pose pose{body.position, along.x(), along.y()};
-    g.each_part(i, [&](ShapeIndex part) { placed.push_back({i, part, g.part_pose(i, part, pose), stays}); });
-  }
-  for (const PlacedPart& own : placed) {
-    if (!has_corners(shapes, own.part)) continue;
-    for (int k = 0; k < shapes.corners[own.part]; ++k) {
-      const Vec2 vertex = shapes.corners_of(own.part)[k].vertex;
-      const Vec2 point = own.pose.position + own.pose.turned(vertex);
-      std::vector<Filled> others;
-      for (const PlacedPart& other : placed) {
-        if (other.part == own.part || !(other.body == own.body || (own.stays && other.stays))) continue;
-        if (g.group[own.body] != g.group[other.body]) continue;
-        const double reach = shapes.radius[other.part] + shapes.radius[own.part];
-        if ((point - other.pose.position).squaredNorm() > reach * reach) continue;
-        const double size = std::min(shapes.radius[own.part], shapes.radius[other.part]);
-        const auto filled =
-            filled_at(shapes, other.part, other.pose, point, kMeets * size + kFar * point.lpNorm<1>());
-        if (filled) others.push_back(*filled);
-      }
-      if (others.empty()) continue;
-      const Corner* corner = shapes.corners_of(own.part);
-      const int last = k == 0 ? shapes.corners[own.part] - 1 : k - 1;
-      const double from = angle_of(own.pose.turned(crossed(corner[k].normal)));
-      const double to = angle_of(own.pose.turned(Vec2(-crossed(corner[last].normal))));
-      CornerCone cone = cone_of({from, turn_to(from, to)}, std::move(others));
-      cone.last = own.pose.turned_back(cone.last);
-      cone.next = own.pose.turned_back(cone.next);
-      if (shapes.cone_of.empty()) shapes.cone_of.assign(shapes.corner.size(), -1);
-      shapes.cone_of[static_cast<std::size_t>(shapes.first[own.part] + k)] =
-          static_cast<int>(shapes.cones.size());
-      shapes.cones.push_back(cone);
+    g.each_part(i, [&](ShapeIndex part) { visit(PlacedPart{i, part, g.part_pose(i, part, pose)}); });
+  };
+  const auto stays = [&](BodyIndex i) {
+    const Body& body = bodies[static_cast<std::size_t>(i)];
+    return body.fixed && !body.drive;
+  };
+  const auto add_cones = [&](const PlacedPart& own) {
+    if (!has_corners(shapes, own.part)) return;
+    near.clear();
+    const auto add_near = [&](const PlacedPart& other) {
+      if (other.part == own.part || g.group[own.body] != g.group[other.body]) return;
+      const double reach = shapes.radius[other.part] + shapes.radius[own.part];
+      const double allowed = (1.0 + kMeets) * reach + kFar * own.pose.position.lpNorm<1>();
+      if ((own.pose.position - other.pose.position).squaredNorm() <= allowed * allowed) near.push_back(other);
+    };
+    if (stays(own.body)) {
+      std::for_each(staying.begin(), staying.end(), add_near);
+    } else {
+      placed(own.body, add_near);
     }
+    if (!near.empty()) add_cones_of(own, near, shapes);
+  };
+  const BodyIndex end{static_cast<int>(bodies.size())};
+  for (BodyIndex i{0}; i < end; ++i) {
+    if (stays(i)) placed(i, [&](const PlacedPart& part) { staying.push_back(part); });
+  }
+  for (BodyIndex i{0}; i < end; ++i) {
+    if (stays(i) || g.has_parts(i)) placed(i, add_cones);
   }
 }
 
