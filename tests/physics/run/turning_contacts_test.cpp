@@ -383,7 +383,7 @@ TEST(TurningContacts, ACirclingPairKeepsItsAngularMomentum) {
 // errors are those of order 4.
 TEST(TurningContacts, ALandingKeepsTheOrder) {
   constexpr double kTilt = 0.85;  // rad
-  Body box = test::box("box", turned_by(-kTilt, Vec2(0.15, 0.15)), {0.0, 0.0}, 0.3, 0.3);
+  Body box = test::box("box", turned_by(-kTilt, Vec2(-0.15, 0.15)), {0.0, 0.0}, 0.3, 0.3);
   box.angle = -kTilt;
   const auto end = [&](double h) {
     RunSetup s = test::setup_with({test::fixed("floor", Wall{}, {0.0, 0.0}), box}, 0.0, 1000.0);
