@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <utility>
 #include <vector>
 
 #include "physics/math/vectors.h"
@@ -26,6 +27,17 @@ void expect_near(const Left& left, const Left& expected, double within) {
   EXPECT_NEAR(left.spin, expected.spin, within);
   EXPECT_NEAR(left.speed, expected.speed, within);
   EXPECT_NEAR(left.start, expected.start, within);
+}
+
+// That of the second of these bodies after `until` s.
+Left run_over(std::vector<Body> bodies, double friction, IntegratorId integrator, double step, double until) {
+  RunSetup s = test::setup_with(std::move(bodies), 0.0, friction);
+  s.scene.forces.gravity = {0.0, -kG};
+  s.method = {integrator, ImpactsId::kLocated, ContactsId::kLasting, step};
+  Simulation run(s);
+  run.advance_to(until, [] {});
+  const auto v = run.state().v.col(1);
+  return {v[2], v[0], run.state().q.col(1)[0] - v[0] * until};
 }
 
 // Values that change at these rates, until `margin` of them is no longer positive.
@@ -112,14 +124,8 @@ struct Slider {
     Body body = test::box("body", {start, kHeight + depth}, {speed, 0.0}, 1.0, 1.0);
     body.shape = shape;
     body.inertia = inertia;
-    RunSetup s = test::setup_with({test::wall("table", {-2.0, kHeight - 0.25}, 4.0, 0.5), body}, 0.0, friction);
-    s.scene.forces.gravity = {0.0, -kG};
-    s.method = {integrator, ImpactsId::kLocated, ContactsId::kLasting, step};
-    Simulation run(s);
-    const double until = -start / speed + 0.33;
-    run.advance_to(until, [] {});
-    return {run.state().v.col(1)[2], run.state().v.col(1)[0],
-            run.state().q.col(1)[0] - run.state().v.col(1)[0] * until};
+    return run_over({test::wall("table", {-2.0, kHeight - 0.25}, 4.0, 0.5), body}, friction, integrator, step,
+                    -start / speed + 0.33);
   }
 };
 
@@ -221,15 +227,8 @@ struct Roller {
   [[nodiscard]] Left run_with(IntegratorId integrator, double step) const {
     Body ball = test::disc("ball", {start, kHeight + radius}, {speed, 0.0}, radius);
     ball.spin = -speed / radius;
-    RunSetup s =
-        test::setup_with({test::wall("table", {-0.5, kHeight - 0.025}, 1.0, 0.05), ball}, 0.0, friction);
-    s.scene.forces.gravity = {0.0, -kG};
-    s.method = {integrator, ImpactsId::kLocated, ContactsId::kLasting, step};
-    Simulation run(s);
-    const double until = -start / speed + 0.15;
-    run.advance_to(until, [] {});
-    return {run.state().v.col(1)[2], run.state().v.col(1)[0],
-            run.state().q.col(1)[0] - run.state().v.col(1)[0] * until};
+    return run_over({test::wall("table", {-0.5, kHeight - 0.025}, 1.0, 0.05), ball}, friction, integrator, step,
+                    -start / speed + 0.15);
   }
 };
 
