@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "physics/collision/pair_contact.h"
+#include "physics/collision/tips.h"
 
 namespace carom {
 namespace {
@@ -23,6 +24,25 @@ enum class Place {
   kMiddle,  // if that approaches
   kFastest
 };
+
+// What slides past a corner that is flush with it goes on along the face.
+template <class Parting>
+void pass_along(const Geometry& g, const Moving& a, const Moving& b, const Parting& parting,
+                Approach& approach) {
+  const auto [part_a, part_b] = g.parts_or_first(approach.contact.parts, a.body, b.body);
+  const auto tips = tip_normals(g.shapes, part_a, g.part_pose(a.body, part_a, a.pose), part_b,
+                                g.part_pose(b.body, part_b, b.pose));
+  if (!tips) return;
+  const auto along = [&](const Vec2& normal) {
+    Contact contact = approach.contact;
+    contact.normal = normal;
+    return parting(contact);
+  };
+  const auto normal = passes_along(*tips, along);
+  if (!normal) return;
+  approach.contact.normal = *normal;
+  approach.speed = parting(approach.contact);
+}
 
 // With `parts`, of these two alone; else of all.
 Approach approach(const Geometry& g, const Moving& a, const Moving& b, double tolerance, const ShapePair* parts,
@@ -49,6 +69,7 @@ Approach approach(const Geometry& g, const Moving& a, const Moving& b, double to
   const bool several = parts == nullptr && (g.has_parts(a.body) || g.has_parts(b.body));
   if ((g.is_disc(a.body) || g.is_disc(b.body)) && !several) return approach;
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * approach.scale;
+  if (approach.speed < -rounding) pass_along(g, a, b, parting, approach);
   if (place == Place::kMiddle && approach.speed < -rounding) return approach;
   const double margin = std::max(approach.contact.gap, 0.0) + tolerance;
   const auto look_at = [&](const Manifold& ends) {

@@ -7,6 +7,7 @@
 
 #include "physics/collision/closest_features.h"
 #include "physics/collision/feature_id.h"
+#include "physics/collision/tips.h"
 #include "physics/math/vectors.h"
 
 namespace carom {
@@ -17,13 +18,8 @@ namespace {
 constexpr double kFlat = 1e-9;
 // A stretch shorter than this share of the scale is a point.
 constexpr double kShort = 16.0 * std::numeric_limits<double>::epsilon();
-// Corners meet tip to tip if they are no farther from each other than this share of the scale: rounding, which
-// adds up on the way there.
-constexpr double kTip = 1e-11;
 // Likewise where faces are preferred: what slides along a face passes corners that are flush with it.
 constexpr double kTipOfFaces = 32.0 * std::numeric_limits<double>::epsilon();
-// Normals differ by rounding, or by less than this, squared or as a sine.
-constexpr double kSameNormal = 1e-12;
 // Between corners that are nearer than this share of the scale, the direction from one to the other is noise.
 constexpr double kBlunt = 1e-4;
 // Relative to the scale: where corners meet, edges that part two bodies equally well within this.
@@ -126,64 +122,6 @@ void clip_at(const PairFrame& frame, const ClosestFeatures& closest, double roun
        rounding_b, frame.scale, edge_a, edge_b, touch);
 }
 
-// The direction in the middle of those that are outward normals of one cone and inward ones of another; nothing
-// if there are none.
-std::optional<Vec2> middle_normal(const CornerCone& a, const CornerCone& b) {
-  const Vec2 low = cross(a.last, -b.last) > 0.0 ? Vec2(-b.last) : a.last;
-  const Vec2 high = cross(a.next, -b.next) < 0.0 ? Vec2(-b.next) : a.next;
-  if (cross(low, high) < 0.0 || a.last.dot(-b.last) < 0.0) return std::nullopt;
-  const Vec2 middle = low + high;
-  return middle.squaredNorm() > 0.0 ? std::optional<Vec2>(middle.normalized()) : std::nullopt;
-}
-
-// Whether this direction is among the normals of a cone, within rounding.
-bool has_normal(const CornerCone& cone, const Vec2& normal) {
-  if (cone.reentrant)
-    return (normal - cone.last).squaredNorm() <= kSameNormal ||
-           (normal - cone.next).squaredNorm() <= kSameNormal;
-  return cross(cone.last, normal) >= -kSameNormal && cross(normal, cone.next) >= -kSameNormal &&
-         cone.last.dot(normal) + cone.next.dot(normal) > 0.0;
-}
-
-// The normal of two corners that meet; `to_b` leads from a to b. At a reentrant corner it is that of the one of
-// its bare faces on whose side the other body is.
-std::optional<Vec2> tip_normal(const CornerCone& a, const CornerCone& b, const Vec2& to_b) {
-  if (!a.reentrant && !b.reentrant) return middle_normal(a, b);
-  const CornerCone inwards{-b.last, -b.next, b.reentrant};
-  const CornerCone& one = a.reentrant ? a : inwards;
-  const CornerCone& other = a.reentrant ? inwards : a;
-  std::optional<Vec2> best;
-  for (const Vec2& normal : {one.last, one.next}) {
-    if (normal.isZero() || !has_normal(other, normal)) continue;
-    if (!best || normal.dot(to_b) > best->dot(to_b)) best = normal;
-  }
-  return best;
-}
-
-// Two corners that meet tip to tip, and the normal in their middle: which of theirs is nearest is rounding.
-struct Tips {
-  Vec2 point;
-  Vec2 normal;
-};
-std::optional<Tips> tips_of(const ConvexShapes& shapes, ShapeIndex a, ShapeIndex b, const PairFrame& frame,
-                            double separation, double rounding, double near) {
-  if (rounding > 0.0 || std::abs(separation) > near || frame.edges_a < 3 || frame.edges_b < 3)
-    return std::nullopt;
-  for (int i = 0; i < frame.edges_a; ++i) {
-    for (int k = 0; k < frame.edges_b; ++k) {
-      const auto j = static_cast<std::size_t>(k);
-      if ((frame.a[i].vertex - frame.vertex[j]).squaredNorm() > near * near) continue;
-      CornerCone of_b = shapes.cone_at(b, k);
-      of_b.last = frame.relative.turned(of_b.last);
-      of_b.next = frame.relative.turned(of_b.next);
-      const auto normal = tip_normal(shapes.cone_at(a, i), of_b, frame.relative.position);
-      if (!normal) return std::nullopt;
-      return Tips{0.5 * (frame.a[i].vertex + frame.vertex[j]), *normal};
-    }
-  }
-  return std::nullopt;
-}
-
 // With `prefer_faces`, two faces that share a stretch touch there with the normal of one of them, even if
 // corners just beside it are nearest.
 Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
@@ -230,12 +168,15 @@ Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
       touch.count == 1 ||
       (!prefer_faces && (!touch.flat || (touch.points[1].point - touch.points[0].point).norm() <= near));
   if (!in_one_point) return touch;
-  if (const auto tips = tips_of(shapes, a, b, frame, closest.separation, rounding_a + rounding_b, near)) {
-    touch.normal = tips->normal;
-    touch.point = touch.points[0].point = tips->point;
-    touch.count = 1;
-    touch.flat = false;
-  }
+  if (rounding_a + rounding_b > 0.0 || std::abs(closest.separation) > near) return touch;
+  const auto tips = tips_that_meet(shapes, a, b, frame, near);
+  if (!tips) return touch;
+  const auto normal = tip_normal(*tips, frame.relative.position);
+  if (!normal) return touch;
+  touch.normal = *normal;
+  touch.point = touch.points[0].point = tips->point;
+  touch.count = 1;
+  touch.flat = false;
   return touch;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "physics/collision/tips.h"
 #include "physics/contact/contact_velocity.h"
 #include "physics/math/vectors.h"
 #include "physics/step/coming_to_rest.h"
@@ -26,8 +27,6 @@ constexpr int kPushes = 2;
 // goes on from it.
 constexpr double kSamePlace = 0.02;
 constexpr double kSameNormal = 0.95;
-// Tips that meet close along both normals, along one at least so much as fast as along the other.
-constexpr double kTipsClose = 1e-3;
 constexpr int kFirstCapacity = 64;  // for contacts
 // Of the smaller body's size, in a part of a step: what moves farther against another one meets it in time.
 constexpr double kMostPassing = 0.2;
@@ -214,16 +213,11 @@ Manifold ContactFinder::exposed(const Step& step, BodyIndex a, BodyIndex b, cons
 }
 
 // Tips that meet do so along the middle of their normals, as in impacts. What slides along a face past a corner
-// closes along one of these normals at most.
+// that is flush with it has no contact there: the face beyond it will be what supports it.
 Manifold ContactFinder::where_tips_meet(const World& world, BodyIndex a, BodyIndex b, const Manifold& m) const {
-  const ShapePair parts = world.shapes().parts_or_first(m.parts, a, b);
-  const auto has_tips = [&](ShapeIndex part) {
-    const Core core = world.shapes().shapes.core[part];
-    return core == Core::kBox || core == Core::kPolygon;
-  };
-  if (!has_tips(parts.a) || !has_tips(parts.b)) return m;
+  const Geometry& shapes = world.shapes();
   // The one point that touches, or the ends of a stretch that is none.
-  const double touching = kTogether * (world.shapes().size[a] + world.shapes().size[b]);
+  const double touching = kTogether * (shapes.size[a] + shapes.size[b]);
   const auto is_open = [&](int k) { return m.points[static_cast<std::size_t>(k)].gap > touching; };
   const int at = is_open(0) ? 1 : 0;
   if (at >= m.count || is_open(at)) return m;
@@ -233,17 +227,24 @@ Manifold ContactFinder::where_tips_meet(const World& world, BodyIndex a, BodyInd
   const Contact contact = m.contact(at);
   const double closing = -world.parting_speed(a, b, contact);
   if (!(closing > 0.0)) return m;
-  const Contact tips = contact_again(world.shapes(), a, poses_[a], b, poses_[b], contact);
-  if (std::abs(cross(tips.normal, m.normal)) <= kTogether || (tips.point - contact.point).norm() > touching)
-    return m;
-  Contact other = contact;
-  other.normal = 2.0 * m.normal.dot(tips.normal) * tips.normal - m.normal;
-  const double other_closing = -world.parting_speed(a, b, other);
-  if (!(std::min(closing, other_closing) > kTipsClose * std::max(closing, other_closing))) return m;
+  const ShapePair parts = shapes.parts_or_first(m.parts, a, b);
+  const auto tips = tip_normals(shapes.shapes, parts.a, shapes.part_pose(a, parts.a, poses_[a]), parts.b,
+                                shapes.part_pose(b, parts.b, poses_[b]));
+  if (!tips) return m;
+  const auto along = [&](const Vec2& normal) {
+    return world.parting_speed(a, b, {contact.gap, normal, contact.point});
+  };
   Manifold met = m;
+  if (const auto normal = passes_along(*tips, along)) {
+    if (std::abs(cross(*normal, m.normal)) > kTogether && closing * part_ > touching) met.count = 0;
+    return met;
+  }
+  const Contact middle = contact_again(shapes, a, poses_[a], b, poses_[b], contact);
+  const bool apart = (middle.point - contact.point).norm() > touching;
+  if (apart || std::abs(cross(middle.normal, m.normal)) <= kTogether) return m;
   met.count = 1;
-  met.normal = tips.normal;
-  met.points[0] = {tips.point, tips.gap, m.points[static_cast<std::size_t>(at)].id};
+  met.normal = middle.normal;
+  met.points[0] = {middle.point, middle.gap, m.points[static_cast<std::size_t>(at)].id};
   return met;
 }
 
@@ -302,6 +303,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     }
     // A fast one that penetrates is projected out and left to the impacts at the step's end.
     const bool hits = !slow && !located;
+    if (hits && passes_by(world, a, b, {m.contact(k), -closing})) continue;
     found.turned_away.push_back(stays_away(step, a, b, m, at.gap, closing, hits, rounding));
     found.returns.push_back(0.0);
     c.target[i] = slow || hits ? -found.room(i) / step.h : -std::numeric_limits<double>::infinity();

@@ -54,8 +54,10 @@ bool EventDrivenImpacts::find_touches(World& world, BodyIndex a, BodyIndex b, do
   const Geometry& shapes = world.shapes();
   if (a > b) std::swap(a, b);
   if (!world.can_collide(a, b)) return false;
-  const Eigen::Vector3d qa = motion_at(trajectories, a, time).head<3>();
-  const Eigen::Vector3d qb = motion_at(trajectories, b, time).head<3>();
+  const Motion of_a = motion_at(trajectories, a, time);
+  const Motion of_b = motion_at(trajectories, b, time);
+  const Eigen::Vector3d qa = of_a.head<3>();
+  const Eigen::Vector3d qb = of_b.head<3>();
   const double tolerance = tolerances * touch_tolerance(world, a, b);
   if (!may_be_continued(world, a, b)) {
     const Contact contact = contact_between(shapes, a, qa, b, qb);
@@ -80,7 +82,10 @@ bool EventDrivenImpacts::find_touches(World& world, BodyIndex a, BodyIndex b, do
     if (count == 0) return;
     const Contact last = found_.back();
     if (count == 2 && (found_[found_.size() - 2].point - last.point).norm() > margin) return;
-    const Contact tips = contact_again(shapes, a, shapes.pose(a, qa), b, shapes.pose(b, qb), last);
+    const Contact tips =
+        approach_of(shapes, a, qa, {of_a.segment<2>(3), of_a[5]}, b, qb, {of_b.segment<2>(3), of_b[5]},
+                    tolerance, shapes.parts_or_first(last.parts, a, b))
+            .contact;
     if ((tips.point - last.point).norm() > margin) return;
     if (count == 2) found_.pop_back();
     found_.back() = tips;

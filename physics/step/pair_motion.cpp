@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "physics/collision/pair_contact.h"
+#include "physics/collision/tips.h"
 #include "physics/contact/contact_velocity.h"
 #include "physics/scene/drive.h"
 #include "physics/step/coming_to_rest.h"
@@ -50,6 +51,23 @@ double gap_in_flight(World& world, BodyIndex a, BodyIndex b, const ShapePair& pa
   Contact contact;
   contact.parts = parts;
   return contact_again(world.shapes(), a, pose(a), b, pose(b), contact).gap;
+}
+
+bool passes_by(const World& world, BodyIndex a, BodyIndex b, const Approach& at) {
+  if (!(at.contact.gap > 0.0 && at.speed < 0.0)) return false;
+  const double time = at.contact.gap / -at.speed;
+  const Geometry& g = world.shapes();
+  const ShapePair parts = g.parts_or_first(at.contact.parts, a, b);
+  const auto pose = [&](BodyIndex i, ShapeIndex part) {
+    const auto& y = world.trajectories.at_start(i);
+    return g.part_pose(i, part, g.pose(i, y.head<3>() + time * y.segment<3>(3)));
+  };
+  const auto tips = tip_normals(g.shapes, parts.a, pose(a, parts.a), parts.b, pose(b, parts.b));
+  if (!tips) return false;
+  const auto along = [&](const Vec2& normal) {
+    return world.parting_speed(a, b, {at.contact.gap, normal, at.contact.point});
+  };
+  return passes_along(*tips, along).has_value();
 }
 
 double curvature(const World& world, BodyIndex a, BodyIndex b, double of_centres) {

@@ -22,6 +22,9 @@ inline constexpr double kTogether = 1e-9;
 // m: how far apart two parts of the pair are, on their trajectories `within` s after the epoch.
 [[nodiscard]] double gap_in_flight(World& world, BodyIndex a, BodyIndex b, const ShapePair& parts,
                                    double within);
+// Whether two parts that approach so go past each other's corner, straight on from the start of their
+// trajectories (passes_along).
+[[nodiscard]] bool passes_by(const World& world, BodyIndex a, BodyIndex b, const Approach& at);
 // m/s²: curvature bound of the relative paths of two bodies' points; `of_centres` is that of their centres.
 [[nodiscard]] double curvature(const World& world, BodyIndex a, BodyIndex b, double of_centres);
 // m/s²: about what their turning alone adds to the relative acceleration of two bodies at contact i.

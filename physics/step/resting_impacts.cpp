@@ -94,18 +94,19 @@ std::optional<LandingTime> RestingContacts::first_landing(World& world, double e
     if (!(at_end < 0.0 && at_end < at_start)) continue;
     double from = 0.0;
     double at_from = at_start;
-    if (at_start <= 0.0 && at_start > -kMovedIn * smaller_size(world, a, b)) {
+    const double touching = touch_tolerance(world, a, b);
+    if (at_start <= touching && at_start > -kMovedIn * smaller_size(world, a, b)) {
       // It hits now, or leaves and comes back; else bodies that were parted elsewhere have been moved into each
       // other here.
       if (hit_now(world, landing)) return LandingTime{landing, 0.0};
-      for (int k = 0; at_from <= 0.0 && k < kMostHalves; ++k) {
+      for (int k = 0; at_from <= touching && k < kMostHalves; ++k) {
         from = 0.5 * until;
         at_from = gap(from);
-        if (at_from > 0.0) break;
+        if (at_from > touching) break;
         until = from;
         at_end = at_from;
       }
-      if (!(at_from > 0.0)) continue;
+      if (!(at_from > touching)) continue;
     }
     time = at_from > 0.0 ? bracketed_root(gap, from, at_from, until, at_end) : 0.0;
     first = {landing, time};
@@ -174,6 +175,7 @@ void RestingContacts::strike(World& world, double h) {
     // What comes to touch at the step's end, to rounding, meets in the next step.
     if (at->contact.gap > 0.0 && gap_in_flight(world, a, b, parts, h) > kSameMoment * h * at->speed)
       return std::nullopt;
+    if (passes_by(world, a, b, *at)) return std::nullopt;
     if (several && on_internal_edge(world, a, b, at->contact, finder_.neighbours().of_pair(world, a, b), pose))
       return std::nullopt;
     return at;
