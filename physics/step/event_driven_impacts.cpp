@@ -376,7 +376,7 @@ bool EventDrivenImpacts::comes_to_rest(const Step& step, BodyIndex a, BodyIndex 
 
 // The contact forces on what is hit were found for its motion before: they hold until now.
 void EventDrivenImpacts::note_disturbed(const Step& step, BodyIndex a, BodyIndex b, double time) {
-  if (divides(step, time) && step.resting->is_disturbed(a, b)) disturbed_ = time;
+  if (divides(step, time) && step.resting->is_disturbed(step.world, a, b)) disturbed_ = time;
 }
 
 void EventDrivenImpacts::count_at_once(World& world, BodyIndex a, BodyIndex b, double time) {

@@ -356,11 +356,16 @@ void RestingContacts::record_forces(World& world, double passed, double share) {
   carry_forces(world, passed, finder_.neighbours(), memory_);
 }
 
-bool RestingContacts::is_disturbed(BodyIndex a, BodyIndex b) const {
+bool RestingContacts::is_disturbed(const World& world, BodyIndex a, BodyIndex b) const {
   const auto pushes = [&](BodyIndex i) {
     return std::binary_search(memory_.pushed.begin(), memory_.pushed.end(), i);
   };
-  return is_few() && (pushes(a) || pushes(b));
+  const auto lands = [&](BodyIndex i) {
+    return std::any_of(found_.landings.begin(), found_.landings.end(),
+                       [i](const Landing& landing) { return landing.a == i || landing.b == i; });
+  };
+  const auto is_off = [&](BodyIndex i) { return pushes(i) || (!world.is_immovable(i) && lands(i)); };
+  return is_few() && (is_off(a) || is_off(b));
 }
 
 void RestingContacts::release(World& world) {
