@@ -82,7 +82,7 @@ template <class PoseOf>
 
 // rad: beyond an end the normal turns to this side of the face's own; far enough to tell a corner from
 // rounding.
-inline constexpr double kBeyond = 0.05;
+inline constexpr double kBeyond = 1e-6;
 
 // Whether another part goes on with the face of a body beyond its end, or its start, under a part of a toucher.
 template <class PoseOf>

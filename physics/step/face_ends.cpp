@@ -22,7 +22,7 @@ constexpr double kCornerAtEnd = 3e-10;
 // Likewise, beside half the gap: what touches at a corner so near may leave it.
 constexpr double kLeaves = 4e-10;
 // rad: corners that turn by less are no ends; the normal turns there as along a curve.
-constexpr double kLeastCorner = 0.05;
+constexpr double kLeastCorner = 1e-6;
 // m: of a place along the face, how far it is to the end that the touch comes to.
 double left_to(const TouchNearEnd& touch, double place) {
   const double end = touch.towards_end != touch.comes_on ? touch.on.face.length : 0.0;
@@ -141,8 +141,12 @@ std::optional<LeavingCorners> leaving_corners(const World& world, const FoundCon
     const Corner* corner = corner_at(shapes, side.part, side.of_part(leaving.point), near);
     if (corner == nullptr) return false;
     const Corner& before = corner_before(shapes, side.part, *corner);
-    const double out =
-        std::max(side.pose.turned(corner->normal).dot(away), side.pose.turned(before.normal).dot(away));
+    // What leaves along the contact's normal may come back to the same face.
+    const auto along = [&](const Vec2& normal_of_part) {
+      const Vec2 normal = side.pose.turned(normal_of_part);
+      return (normal - side.out).norm() <= kOnFace ? 0.0 : normal.dot(away);
+    };
+    const double out = std::max(along(corner->normal), along(before.normal));
     side.out = turned_by(cross(side.out, away) > 0.0 ? kBeyond : -kBeyond, side.out);
     return h * out > near;
   };

@@ -6,12 +6,15 @@
 
 #include "physics/math/vectors.h"
 #include "physics/run/simulation.h"
+#include "physics/scene/polygon.h"
 #include "tests/support/scenes.h"
 
 // A box that slides from a table up a ramp, whose own corner is at the foot: it hits the ramp's face, as it
 // hits a half-plane, and not that corner.
 namespace carom {
 namespace {
+
+constexpr double kG = 9.81;
 
 enum class Ground { kHalfPlanes, kBoxes, kCompound };
 
@@ -34,7 +37,7 @@ RunSetup at_the_foot(Ground ground, double slope, double side, double start) {
   }
   bodies.push_back(test::box("box", {side * start, 0.1}, {0.87 * side, 0.0}, 0.4, 0.2));
   RunSetup s = test::setup_with(std::move(bodies), 0.0, 0.0);
-  s.scene.forces.gravity = {0.0, -9.81};
+  s.scene.forces.gravity = {0.0, -kG};
   return s;
 }
 
@@ -57,6 +60,82 @@ TEST(Kinks, ABoxRunsUpARamp) {
             EXPECT_LT((end(ground) - expected).norm(), 3e-5)
                 << slope << ' ' << side << ' ' << start << ' ' << h << ' ' << static_cast<int>(ground);
           }
+        }
+      }
+    }
+  }
+}
+
+// Whose corners rebound at the foot of a shallow ramp by turns: each of them lands though the other's impact
+// changes when, and none sinks in.
+TEST(Kinks, CornersThatReboundByTurnsLand) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  for (const double restitution : {0.3, 0.5, 0.8}) {
+    for (const double slope : {0.5 * kDegree, 1.0 * kDegree, 3.0 * kDegree}) {
+      for (const double h : {0.0088, 0.004, 0.001}) {
+        RunSetup s = at_the_foot(Ground::kBoxes, slope, 1.0, -0.42);
+        s.scene.materials[0].restitution = restitution;
+        s.scene.bodies.back().velocity.x() = 1.022;
+        s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, h};
+        Simulation run(s);
+        run.advance_to(0.9, [] {});
+        EXPECT_LT(std::abs(run.ledger().penetration_correction), 1e-12)
+            << restitution << ' ' << slope << ' ' << h;
+        const double closing = 1.022 * std::sin(slope);
+        EXPECT_LT(run.ledger().lost_to_restitution, 0.5 * closing * closing) << restitution << ' ' << h;
+      }
+    }
+  }
+}
+
+// How fast a disc goes that rolls, or slides, from a level table over its end down a slope, after `until` s: it
+// turns about the corner in between.
+double speed_down(double radius, double speed, double start, double slope, double inertia, double until) {
+  // From its energy as it turns; the time that takes by Simpson's rule.
+  const auto speed_at = [&](double angle) {
+    return std::sqrt(speed * speed + 2.0 / inertia * kG * radius * (1.0 - std::cos(angle)));
+  };
+  constexpr int kParts = 8;
+  double turns = 0.0;
+  for (int k = 0; k <= kParts; ++k) {
+    const double weight = k == 0 || k == kParts ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
+    turns += weight * slope * radius / (3.0 * kParts) / speed_at(k * slope / kParts);
+  }
+  const double left = until + start / speed - turns;
+  return speed_at(slope) + left * kG * std::sin(slope) / inertia;
+}
+
+TEST(Kinks, ADiscRollsAndSlidesOverThem) {
+  constexpr double kRadius = 0.1;
+  constexpr double kSpeed = 0.48;
+  constexpr double kStart = -0.168;
+  constexpr double kUntil = 0.6;
+  for (const double degrees : {0.02, 0.2, 1.0, 2.8, 6.0}) {
+    const double slope = degrees * std::numbers::pi / 180.0;
+    const Vec2 down(std::cos(slope), -std::sin(slope));
+    for (const bool one_polygon : {false, true}) {
+      for (const bool rolls : {true, false}) {
+        for (const double h : {1.0 / 60.0, 0.0083, 0.004}) {
+          std::vector<Body> bodies;
+          if (one_polygon) {
+            const Polygon ground{{{-4.0, 0.0}, {-4.0, -2.0}, {4.0 * down.x(), -2.0}, 4.0 * down, {0.0, 0.0}}};
+            bodies = {test::fixed("ground", ground, moments_of(ground.vertices, 0.0).centroid)};
+          } else {
+            const Vec2 ramp = 1.5 * down - 0.15 * crossed(down);
+            bodies = {test::wall("table", {-2.0, -0.25}, 4.0, 0.5), test::wall("ramp", ramp, 3.0, 0.3, -slope)};
+          }
+          bodies.push_back(test::disc("disc", {kStart, kRadius}, {kSpeed, 0.0}, kRadius));
+          if (rolls) bodies.back().spin = -kSpeed / kRadius;
+          RunSetup s = test::setup_with(std::move(bodies), 0.0, rolls ? 1.0 : 0.0);
+          s.scene.forces.gravity = {0.0, -kG};
+          s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, h};
+          Simulation run(s);
+          run.advance_to(kUntil, [] {});
+          const auto v = run.state().v.rightCols<1>();
+          const double expected = speed_down(kRadius, kSpeed, kStart, slope, rolls ? 1.5 : 1.0, kUntil);
+          EXPECT_NEAR(v.head<2>().norm(), expected, 1e-7)
+              << degrees << ' ' << one_polygon << ' ' << rolls << ' ' << h;
+          EXPECT_NEAR(v[2], rolls ? -expected / kRadius : 0.0, 1e-6);
         }
       }
     }
