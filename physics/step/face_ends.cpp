@@ -173,7 +173,9 @@ void find_touches_near_ends(const World& world, const FoundContacts& found, cons
     TouchNearEnd& touch = coming.touch;
     touch.law_changes =
         world.model->surfaces.materials > 1 && law_changes(world, *on, touch.towards_end, neighbours);
-    if (touch.law_changes || (!on->flat && coming.left > at_end)) touches.push_back(touch);
+    // Two faces part where the last corner of the one comes to the end of the other.
+    const bool ends = !on->flat || on->to_end == touch.towards_end;
+    if (touch.law_changes || (ends && coming.left > at_end)) touches.push_back(touch);
   }
 }
 

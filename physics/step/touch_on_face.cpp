@@ -72,7 +72,11 @@ std::optional<TouchOnFace> touch_on_face(const World& world, const FoundContacts
     (on_a_stays ? on_b : on_a).reset();
   }
   std::optional<TouchOnFace>& on = on_a ? on_a : on_b;
-  if (on) on->flat = of_a && of_b;
+  if (!on || !of_a || !of_b) return on;
+  on->flat = true;
+  // The two faces go around their bodies in opposite directions.
+  const Face& own = on_a ? *of_b : *of_a;
+  on->to_end = own.place_of(on->tip) > 0.5 * own.length;
   return on;
 }
 

@@ -16,7 +16,8 @@ struct TouchOnFace {
   Vec2 tip = Vec2::Zero();  // m, the disc's centre or the corner, in the frame of its part
   BodyIndex body = kNoBody;
   Face face;
-  bool flat = false;  // a face of its own lies on this one
+  bool flat = false;    // a face of its own lies on this one
+  bool to_end = false;  // which goes from the corner towards the end of this one, else towards its start
 
   [[nodiscard]] bool is_corner(const World& world) const {
     return !is_round(world.shapes().shapes, toucher_part);
