@@ -338,6 +338,8 @@ bool GaussIsland::solve(const GaussStep& step) {
   return before[0] <= kAccepted && !is_continued(step);
 }
 
+bool GaussIsland::is_redundant() const { return rows_ > 0 && solver_[0].rank() < rows_; }
+
 void GaussIsland::note_break(int face, double time, double slips) {
   for (GaussContact& c : closed_) {
     if (c.face != face) continue;

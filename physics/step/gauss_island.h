@@ -69,6 +69,7 @@ struct GaussContact {
   std::optional<CornerOnFace> corner;       // that touches at the start
   int face = 0;                             // contacts of the same face slip alike
   bool presses = true;
+  bool spared = false;  // it has been taken to press no more, as others hold its bodies
   bool sticks = false;
   bool holds = false;       // it has the tangential force of all that stick on its face
   double slips = 0.0;       // σ, if it presses, rubs and does not stick
@@ -97,6 +98,8 @@ class GaussIsland {
   bool begin(const GaussStep& step, std::span<const int> contacts);
   // Finds forces for the modes as they stand, and puts them on the trajectories. False if there are none.
   bool solve(const GaussStep& step);
+  // Whether fewer of the contacts that press would hold their bodies as well.
+  [[nodiscard]] bool is_redundant() const;
   // A face breaks away at this time, in s.
   void note_break(int face, double time, double slips);
   // Shares what holds a face among its contacts, by how much each can hold.

@@ -103,10 +103,34 @@ std::array<double, 2> most_friction(const GaussStep& step, const GaussIsland& is
   return most;
 }
 
+// m: how far the contacts that press are open or closed in between, where linear forces can't do more.
+double gaps_on_the_way(const GaussIsland& island) {
+  double most = 0.0;
+  for (const GaussContact& c : island.closed()) {
+    if (!c.presses) continue;
+    for (const double gap : {c.at[0].gap, c.halfway.gap, c.at[1].gap, c.end.gap})
+      most = std::max(most, std::abs(gap - c.start.gap));
+  }
+  return most;
+}
+
+// Of several contacts that share what fewer would hold, one whose force would end within the step.
+GaussContact* idle_contact(GaussIsland& island, double rounding) {
+  if (!island.is_redundant()) return nullptr;
+  GaussContact* idle = nullptr;
+  const auto mean = [](const GaussContact& c) { return c.at[0].normal_force + c.at[1].normal_force; };
+  for (GaussContact& c : island.closed()) {
+    if (!c.presses || c.spared || part_held(c.at[0].normal_force, c.at[1].normal_force, rounding) == 1.0)
+      continue;
+    if (idle == nullptr || mean(c) < mean(*idle)) idle = &c;
+  }
+  return idle;
+}
+
 }  // namespace
 
-bool closes(const GaussStep& step, const GaussContact& c) {
-  const double rounding = closed_within(step, c.a, c.b, c.at[0].point);
+bool closes(const GaussStep& step, const GaussContact& c, double off) {
+  const double rounding = std::max(closed_within(step, c.a, c.b, c.at[0].point), off);
   const std::array<double, 3> gaps{c.at[0].gap, c.halfway.gap, c.at[1].gap};
   const double least = std::min(c.end.gap, *std::min_element(gaps.begin(), gaps.end()));
   if (least < std::min(c.start.gap, 0.0) - kSeen * rounding) return true;
@@ -128,9 +152,14 @@ bool change_modes(const GaussStep& step, GaussIsland& island, double& ends) {
     }
   };
   const double rounding = kAtLimit * largest_force(island);
+  if (GaussContact* idle = idle_contact(island, rounding)) {
+    idle->presses = false;
+    idle->spared = true;
+    return true;
+  }
   for (GaussContact& c : island.closed()) {
     if (!c.presses) {
-      enter(closes(step, c) ? 0.0 : 1.0, [&] { c.presses = true; });
+      enter(closes(step, c, c.spared ? gaps_on_the_way(island) : 0.0) ? 0.0 : 1.0, [&] { c.presses = true; });
       continue;
     }
     const double first = c.at[0].normal_force;

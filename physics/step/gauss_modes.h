@@ -7,8 +7,8 @@ namespace carom {
 // Whether contacts press or are open, stick or slip, from the start of a step on, and until when: read off the
 // linear forces and the flights under them (gauss_contacts.h).
 
-// Whether a contact that does not press closes.
-[[nodiscard]] bool closes(const GaussStep& step, const GaussContact& c);
+// Whether a contact that does not press closes, by more than `off` (m).
+[[nodiscard]] bool closes(const GaussStep& step, const GaussContact& c, double off = 0.0);
 // Changes the modes that don't hold at the start; whether there were any. If not, `ends` (s) becomes no later
 // than the first moment at which a contact lets go, breaks away or stops slipping.
 bool change_modes(const GaussStep& step, GaussIsland& island, double& ends);

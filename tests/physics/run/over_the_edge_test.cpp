@@ -195,6 +195,69 @@ TEST(OverTheEdge, ABoxOfSeveralParts) {
   }
 }
 
+// A smooth plate on two square feet of 0.1 m, 0.2 m apart. Once the rear corner of the front foot has left the
+// table the plate tips about the front corner of the rear foot, which slides on.
+TEST(OverTheEdge, APlateOnTwoFeet) {
+  constexpr double kSpeed = 1.5;
+  constexpr double kStart = -0.3;
+  constexpr double kUntil = 0.25;
+  const Compound plate{{{Box{0.1, 0.1}, {-0.15, 0.05}, 0.0, ""},
+                        {Box{0.1, 0.1}, {0.15, 0.05}, 0.0, ""},
+                        {Box{0.4, 0.1}, {0.0, 0.15}, 0.0, ""}}};
+  constexpr double kDepth = (2.0 * 0.01 * 0.05 + 0.04 * 0.15) / 0.06;  // m, of the centre of mass
+  constexpr double kInertia = 0.03;
+  const Vec2 corner(-0.1, -kDepth);
+  std::array<double, 3> y{0.0, 0.0, (-kStart - 0.1) / kSpeed};  // the angle, the spin and the time
+  (void)fly_until(
+      [&](const std::array<double, 3>& now) {
+        const Vec2 r = turned_by(now[0], corner);
+        const double turning = r.x() * (kG + r.y() * now[1] * now[1]) / (kInertia + r.x() * r.x());
+        return std::array<double, 3>{now[1], turning, 1.0};
+      },
+      [&](const std::array<double, 3>& now) { return kUntil - now[2]; }, y);
+  for (const double step : {1.0 / 60.0, 0.01, 0.004}) {
+    for (int k = 0; k < 8; ++k) {
+      const double start = kStart - k * kSpeed * step / 8.0;
+      Body body = test::box("body", {start, kHeight + kDepth}, {kSpeed, 0.0}, 1.0, 1.0);
+      body.shape = plate;
+      body.inertia = kInertia;
+      RunSetup s = test::setup_with({test::wall("table", {-2.0, kHeight - 0.25}, 4.0, 0.5), body}, 0.0, 0.0);
+      s.scene.forces.gravity = {0.0, -kG};
+      s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+      Simulation run(s);
+      run.advance_to(kUntil + (kStart - start) / kSpeed, [] {});
+      EXPECT_NEAR(run.state().q(2, 1), y[0], 1e-6) << step << ' ' << k;
+      EXPECT_NEAR(run.state().v(2, 1), y[1], 1e-5) << step << ' ' << k;
+      EXPECT_NEAR(run.state().q(1, 1), kHeight - turned_by(y[0], corner).y(), 1e-6) << step << ' ' << k;
+    }
+  }
+}
+
+// A plank that slides over two posts has four contacts in a row, of which two would hold it: which do so is no
+// matter for its motion. It leaves the first post, and tips about the near edge of the second.
+TEST(OverTheEdge, APlankOnTwoPosts) {
+  const auto at_the_end = [](double step) {
+    const auto post = [](const char* name, double x) {
+      return test::wall(name, {x, kHeight - 0.25}, 0.1, 0.5);
+    };
+    RunSetup s = test::setup_with({post("first", -0.3), post("second", 0.3),
+                                   test::box("plank", {0.0, kHeight + 0.025}, {1.0, 0.0}, 0.9, 0.05)},
+                                  0.0, 0.0);
+    s.scene.forces.gravity = {0.0, -kG};
+    s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+    Simulation run(s);
+    run.advance_to(0.5, [] {});
+    return Eigen::Vector3d(run.state().v.col(2));
+  };
+  const Eigen::Vector3d fine = at_the_end(0.0005);
+  // m/s and 1/s: with half the step, a sixteenth of the error.
+  double within = 1e-5;
+  for (const double step : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0}) {
+    EXPECT_LT((at_the_end(step) - fine).norm(), within + 2e-8) << step;
+    within /= 16.0;
+  }
+}
+
 // A disc of 1 kg rolls about the edge until that takes more than full friction, slips, and leaves it when
 // nothing presses it any more.
 struct Roller {
