@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "physics/collision/pair_contact.h"
 #include "physics/dynamics/integrators/method_fields.h"
 #include "physics/run/run_state.h"
 #include "physics/run/simulation.h"
@@ -82,10 +83,17 @@ void check_switches(const Scene& scene, const Checkpoint& s) {
 void check_contacts(const std::vector<Body>& bodies, const Checkpoint& s) {
   for (std::size_t i = 0; i < s.waiting.size(); ++i)
     check_moving_pair(fmt::format("waiting/{}", i), bodies, s.waiting[i].a, s.waiting[i].b);
+  std::vector<std::size_t> parts;
+  if (!s.contacts.empty()) {
+    for (const Body& body : bodies) parts.push_back(convex_parts(body.shape).size());
+  }
   for (std::size_t i = 0; i < s.contacts.size(); ++i) {
     const std::string at = fmt::format("contacts/forces/{}", i);
     const ContactForce& f = s.contacts[i];
     check_moving_pair(at, bodies, f.a, f.b);
+    const auto [of_a, of_b] = part_numbers(f.id);
+    if (of_a >= parts[static_cast<std::size_t>(f.a)] || of_b >= parts[static_cast<std::size_t>(f.b)])
+      refuse(at, "its bodies have no such shapes");
     if (i > 0 && std::pair(f.a, f.b) < std::pair(s.contacts[i - 1].a, s.contacts[i - 1].b))
       refuse(at, "the pairs are not in rising order");
   }
