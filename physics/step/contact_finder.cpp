@@ -62,11 +62,16 @@ void set_friction(const World& world, Contacts& c, int i, const SurfaceLaw& mate
 }
 
 // Whether a point of a manifold takes over from one that was there a step before, though other features touch
-// now: a corner has come to the end of an edge.
+// now: a corner has come to the end of an edge. One of other parts that is still there goes on itself.
 bool continues(const World& world, const Manifold& m, const ManifoldPoint& at, const ContactForce& force) {
-  return point_with(m, force.id) < 0 &&
-         (at.point - force.point).norm() <= kSamePlace * smaller_size(world, force.a, force.b) &&
-         m.normal.dot(force.normal) >= kSameNormal;
+  if (point_with(m, force.id) >= 0 ||
+      (at.point - force.point).norm() > kSamePlace * smaller_size(world, force.a, force.b) ||
+      m.normal.dot(force.normal) < kSameNormal)
+    return false;
+  if (parts_of(force.id) == parts_of(at.id)) return true;
+  const Manifold own = manifold_of(world.shapes(), force.a, pose_at_start(world, force.a), force.b,
+                                   pose_at_start(world, force.b), force.id, at.gap);
+  return point_with(own, force.id) < 0;
 }
 
 // Which of the pair's last forces, from `first` on, such a point goes on from.
