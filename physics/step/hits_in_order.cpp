@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <tuple>
 
 #include "physics/step/run_clock.h"
 
@@ -20,9 +19,9 @@ void take_connected(const World& world, std::vector<Hit>& from, std::size_t begi
   from.erase(std::remove_if(from.begin() + static_cast<std::ptrdiff_t>(begin), from.end(), taken), from.end());
 }
 
-bool is_later(const Hit& x, const Hit& y) {
-  return std::tuple(x.moment, x.a, x.b) > std::tuple(y.moment, y.a, y.b);
-}
+constexpr auto is_later = [](const Hit& x, const Hit& y) {
+  return x.moment != y.moment ? x.moment > y.moment : ends_of(x) > ends_of(y);
+};
 
 // The hits of one moment that bodies connect, at once; false: they are not several, or there is no way.
 bool resolve(World& world, ImpactCluster& cluster, const std::vector<Hit>& together, double within, bool all) {
@@ -50,6 +49,13 @@ void resolve_in_order(World& world, HitsInOrder& buffers, double h, double withi
   while (!hits.empty()) {
     std::size_t begin = hits.size() - 1;
     while (begin > 0 && hits[begin - 1].moment - hits.back().moment <= same) --begin;
+    // Most are alone.
+    if (begin + 1 == hits.size()) {
+      const Hit only = hits.back();
+      hits.pop_back();
+      resolve_alone(only);
+      continue;
+    }
     while (hits.size() > begin) {
       take_connected(world, hits, begin, together);
       if (resolve(world, cluster, together, within, all)) continue;
