@@ -12,7 +12,8 @@ namespace carom {
 
 // Finds the pairs (a, b), a < b, whose bounds overlap and of which at least one body can move, in the order
 // of index pairs. The grid and the candidates (pairs whose bounds, each with a skin around it, overlap) are
-// kept from call to call for as long as all bounds stay within their skins.
+// kept from call to call for as long as bounds stay within their skins; where few leave theirs, only the
+// candidates of these are found again.
 class BroadPhase {
  public:
   // The limit of the number of pairs; beyond it the last bodies get none. Bodies that do not overlap have
@@ -25,13 +26,19 @@ class BroadPhase {
 
  private:
   void find_candidates(const std::vector<Bounds>& bounds, const std::vector<std::uint8_t>& fixed);
+  [[nodiscard]] bool find_candidates_of_moved(const std::vector<Bounds>& bounds);
+  void put(BodyIndex body, const Bounds& bounds);
 
   CellGrid grid_;
   double cell_ = 0.0;                // m
-  std::vector<Bounds> skins_;        // bounds of the last search, with a skin around what moves
+  double skin_ = 0.0;                // m
+  std::vector<Bounds> skins_;        // bounds when last searched for, with a skin around what moves
   std::vector<std::uint8_t> fixed_;  // at the last search
   bool cut_ = false;
   std::vector<BodyIndex> near_;
+  std::vector<BodyIndex> moved_;          // out of their skins
+  std::vector<std::uint8_t> has_moved_;   // by body
+  std::vector<BodyPair> of_moved_, all_;  // candidates
   std::vector<BodyPair> candidates_;
   std::vector<BodyPair> pairs_;
 };
