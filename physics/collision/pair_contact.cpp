@@ -243,17 +243,13 @@ Gap nearest_on_rectangle(const Vec2& half, const Vec2& p) {
   return {-depth[axis], normal};
 }
 
-// Gap from a core to a disc's centre, without roundings; in closed form for two discs and for a disc on a
+// Gap from a core, which is no point, to a disc's centre, without roundings; in closed form for a disc on a
 // box.
 Gap gap_to_centre(const ConvexShapes& shapes, ShapeIndex core, const Pose& pose_core, ShapeIndex disc,
                   const Pose& pose_disc) {
-  const Vec2 d = pose_disc.position - pose_core.position;
-  if (shapes.core[core] == Core::kPoint) {
-    const double distance = d.norm();
-    return {distance, distance > 0.0 ? Vec2(d / distance) : Vec2(Vec2::UnitX())};
-  }
   if (shapes.core[core] == Core::kBox) {
     const Vec2& half = shapes.corners_of(core)[2].vertex;
+    const Vec2 d = pose_disc.position - pose_core.position;
     const Gap nearest = nearest_on_rectangle(half, pose_core.turned_back(d));
     return {nearest.gap, pose_core.turned(nearest.normal)};
   }
@@ -264,8 +260,10 @@ Gap gap_to_centre(const ConvexShapes& shapes, ShapeIndex core, const Pose& pose_
 // For a disc and a body that is not a half-plane.
 Contact disc_contact(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
                      const Pose& pose_b) {
-  // The body with a core is the frame of reference; of two discs it is a. From the disc's centre the contact
-  // point is back along the normal, in the middle of gap or penetration.
+  if (shapes.core[a] == Core::kPoint && shapes.core[b] == Core::kPoint)
+    return contact_of_discs(shapes, a, pose_a.position, b, pose_b.position);
+  // The body with a core is the frame of reference. From the disc's centre the contact point is back along the
+  // normal, in the middle of gap or penetration.
   const double rounding = shapes.rounding[a] + shapes.rounding[b];
   if (shapes.core[b] == Core::kPoint) {
     const Gap to_b = gap_to_centre(shapes, a, pose_a, b, pose_b);

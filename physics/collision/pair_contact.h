@@ -27,6 +27,16 @@ struct Gap {
 [[nodiscard]] Contact contact_between(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a,
                                       ShapeIndex b, const Pose& pose_b);
 
+// The same of two discs whose centres are here, in m.
+[[nodiscard]] inline Contact contact_of_discs(const ConvexShapes& shapes, ShapeIndex a, const Vec2& at_a,
+                                              ShapeIndex b, const Vec2& at_b) {
+  const Vec2 d = at_b - at_a;
+  const double distance = d.norm();
+  const Vec2 normal = distance > 0.0 ? Vec2(d / distance) : Vec2(Vec2::UnitX());
+  const double gap = distance - (shapes.rounding[a] + shapes.rounding[b]);
+  return {gap, normal, at_b - (shapes.rounding[b] + 0.5 * gap) * normal};
+}
+
 // For bodies a and b, at a pose or at q = (x, y, angle): of their nearest parts.
 [[nodiscard]] Contact contact_between(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b,
                                       const Pose& pose_b);

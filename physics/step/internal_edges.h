@@ -28,11 +28,11 @@ template <class PoseOf>
 [[nodiscard]] bool on_seam_of_face(const World& world, BodyIndex a, BodyIndex b, const Contact& contact,
                                    std::span<const BodyIndex> others, const PoseOf& pose) {
   const Geometry& g = world.shapes();
+  if (g.is_disc(a) || g.is_disc(b)) return false;
   const ShapePair parts = g.parts_or_first(contact.parts, a, b);
   const Vec2 half = 0.5 * contact.gap * contact.normal;
   const auto on_seam_of = [&](BodyIndex owner, ShapeIndex part, const Vec2& at, BodyIndex toucher,
                               ShapeIndex touching, const Vec2& over, const Vec2& normal) {
-    if (g.is_disc(owner) || g.is_disc(toucher)) return false;
     const double tolerance = kFlush * (g.size[owner] + g.size[toucher]) + 1e-12 * contact.point.lpNorm<1>();
     const auto continues = [&](BodyIndex other) {
       bool any = false;
