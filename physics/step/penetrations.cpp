@@ -85,8 +85,9 @@ Approach overlap_of(const World& world, BodyIndex a, BodyIndex b, const ShapePai
 // Whether two parts close and have overlapped before now: what comes to touch at the step's end, to rounding,
 // or closes from then on by another's impact, meets in the next step. So the order of impacts does not hang on
 // rounding.
-bool has_met(const Approach& at, double h, double tolerance) {
-  return at.speed < 0.0 && at.contact.gap < std::min(kSameMoment * h * at.speed, -tolerance);
+bool has_met(const World& world, BodyIndex a, BodyIndex b, const Approach& at, double h) {
+  return at.speed < 0.0 && at.contact.gap < kSameMoment * h * at.speed &&
+         at.contact.gap < -touch_tolerance(world, a, b);
 }
 
 // Whether two bodies are discs that are apart, or move apart: what most pairs that are near each other do.
@@ -112,12 +113,14 @@ bool are_discs_that_miss(const World& world, BodyIndex a, BodyIndex b) {
 
 // Whether two parts close faster than gravity presses bodies together in a few steps.
 bool is_true_impact(const World& world, BodyIndex a, BodyIndex b, const Contact& contact, double h) {
+  const double closing = -world.parting_speed(a, b, contact);
   double least = kFewSteps * h * world.model->forces.gravity.norm();  // m/s
+  if (closing <= least) return false;
   for (const BodyIndex i : {a, b}) {
     const auto motion = world.trajectories.at_start(i);
     least += 16.0 * kEpsilon * (motion.segment<2>(3).norm() + std::abs(motion[5]) * world.shapes().size[i]);
   }
-  return -world.parting_speed(a, b, contact) > least;
+  return closing > least;
 }
 
 // What overlaps and closes, where a body that moves is in several pairs or one of a pair has several shapes:
@@ -142,7 +145,7 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, bool all, do
       continue;
     world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
       const Approach at = overlap_of(world, a, b, {part_a, part_b}, neighbours);
-      if (has_met(at, h, touch_tolerance(world, a, b)) && (all || is_true_impact(world, a, b, at.contact, h)))
+      if (has_met(world, a, b, at, h) && (all || is_true_impact(world, a, b, at.contact, h)))
         hits.push_back({a, b, at.contact, -at.contact.gap / at.speed});
     });
   }
@@ -152,7 +155,7 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, bool all, do
     world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
       const double tolerance = touch_tolerance(world, a, b);
       const Approach at = world.approach(a, b, tolerance, {part_a, part_b});
-      if (at.contact.gap <= tolerance && !has_met(at, h, tolerance)) hits.push_back({a, b, at.contact, 0.0});
+      if (at.contact.gap <= tolerance && !has_met(world, a, b, at, h)) hits.push_back({a, b, at.contact, 0.0});
     });
   }
 }
@@ -249,8 +252,7 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
     if (discs_of(world, a, b) == Discs::kApart) return std::nullopt;
     Approach at = overlap_of(world, a, b, parts, neighbours);
     const Contact contact = at.contact;
-    if (contact.gap >= 0.0 || (!resting && at.speed < 0.0 && !has_met(at, h, touch_tolerance(world, a, b))))
-      return std::nullopt;
+    if (contact.gap >= 0.0 || (!resting && at.speed < 0.0 && !has_met(world, a, b, at, h))) return std::nullopt;
 
     // Bodies with corners may penetrate at two points: one impact for the middle, then one for the point that
     // still approaches.
