@@ -119,21 +119,20 @@ Eigen::Index GaussIsland::column(BodyIndex body) const {
   return std::lower_bound(bodies_.begin(), bodies_.end(), body) - bodies_.begin();
 }
 
-void GaussIsland::sample(const GaussStep& step) {
-  sampled_.resize(std::max(sampled_.size(), bodies_.size()));
+// Looks at a body on its present flight.
+void GaussIsland::sample(const GaussStep& step, std::size_t place) {
   Trajectories& trajectories = step.world.trajectories;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    Sampled& s = sampled_[i];
-    const auto at = [&](double time) {
-      return posed(step.world, bodies_[i], trajectories.kinematics(bodies_[i], time));
-    };
-    s.start = posed(step.world, bodies_[i], trajectories.at_start(bodies_[i]).head<kMotionRows>());
-    s.end = at(step.h);
-    s.halfway = at(0.5 * step.h);
-    for (const std::size_t k : {0U, 1U}) {
-      s.at[k] = at(kGaussPoints[k] * step.h);
-      s.mean[k] = weighted_mean(k, s.start.y, s.end.y, step.h);
-    }
+  const BodyIndex body = bodies_[place];
+  Sampled& s = sampled_[place];
+  const auto at = [&](double time) {
+    if (step.world.is_immovable(body)) return s.start;
+    return posed(step.world, body, trajectories.kinematics(body, time));
+  };
+  s.end = at(step.h);
+  s.halfway = at(0.5 * step.h);
+  for (const std::size_t k : {0U, 1U}) {
+    s.at[k] = at(kGaussPoints[k] * step.h);
+    s.mean[k] = weighted_mean(k, s.start.y, s.end.y, step.h);
   }
 }
 
@@ -327,7 +326,9 @@ bool GaussIsland::solve(const GaussStep& step) {
   for (int round = 0; round < kMostRounds; ++round) {
     correct(step);
     push(step);
-    sample(step);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (!step.world.infinite_mass(bodies_[i])) sample(step, i);
+    }
     if (!look(step)) return false;
     const double now = off(step, 0.0);
     if (!std::isfinite(now)) return false;

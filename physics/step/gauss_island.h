@@ -128,7 +128,7 @@ class GaussIsland {
   bool start(const GaussStep& step, GaussContact& c) const;
   [[nodiscard]] std::pair<double, double> friction_on(const GaussStep& step, int face) const;
   [[nodiscard]] bool is_needed(const GaussStep& step) const;
-  void sample(const GaussStep& step);
+  void sample(const GaussStep& step, std::size_t place);
   [[nodiscard]] const Sampled& sampled(BodyIndex body) const;
   [[nodiscard]] Eigen::Index column(BodyIndex body) const;
   bool look(const GaussStep& step);

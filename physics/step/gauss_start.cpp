@@ -81,7 +81,12 @@ bool GaussIsland::begin(const GaussStep& step, std::span<const int> contacts) {
   constant_.resize(3, static_cast<Eigen::Index>(bodies_.size()));
   for (const BodyIndex body : bodies_)
     constant_.col(column(body)) = step.world.field().contact_acceleration(body);
-  sample(step);
+  sampled_.resize(std::max(sampled_.size(), bodies_.size()));
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const BodyIndex body = bodies_[i];
+    sampled_[i].start = posed(step.world, body, step.world.trajectories.at_start(body).head<kMotionRows>());
+    sample(step, i);
+  }
   const Geometry& g = step.world.shapes();
   for (GaussContact& c : closed_) {
     // At the ends it may be the end of its face.
