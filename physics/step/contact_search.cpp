@@ -213,9 +213,10 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
   if (first.gap <= tolerance) {
     const Twist twist_a = paths.twist(a, begin);
     const Twist twist_b = paths.twist(b, begin);
-    const Approach now =
-        approach_of(shapes, a, paths.at(a, begin), twist_a, b, paths.at(b, begin), twist_b, tolerance, parts);
+    const Eigen::Vector3d place_a = paths.at(a, begin);
+    const Eigen::Vector3d place_b = paths.at(b, begin);
     if (resting && waits(begin)) return {};
+    const Approach now = approach_of(shapes, a, place_a, twist_a, b, place_b, twist_b, tolerance, parts);
     if (now.speed < -rules.closing_share * now.scale) return {NextContact::kImpact, begin};
     if (bound == 0.0) {
       if (first.gap < -tolerance) return {NextContact::kPenetrating, begin};
