@@ -42,6 +42,13 @@ class GaussContacts {
   [[nodiscard]] bool has(int contact) const {
     return !improved_.empty() && improved_[static_cast<std::size_t>(contact)] != 0;
   }
+  // Whether they are those of all contacts that press.
+  [[nodiscard]] bool replaces_all(const Contacts& found) const {
+    for (int i = 0; i < found.size(); ++i) {
+      if (found.normal_impulse[i] > 0.0 && !has(i)) return false;
+    }
+    return any();
+  }
   // Enters the work and the impulses of the linear forces until `passed` s after the epoch into the ledger.
   void record(World& world, double passed) const;
 

@@ -265,8 +265,7 @@ double RestingContacts::hold(World& world, double h, double least) {
   forget();
   read_velocities(world);
   stop_approaches(world, h);
-  find_forces(world, h);
-  const double holds = improve_forces(world, h, least);
+  const double holds = find_forces(world, h, least);
   remember_forces(world, h);
   pressing_.update(world, memory_);
   return holds;

@@ -102,7 +102,9 @@ class RestingContacts {
   void strike(World& world, double h);
   void join_what_rests(World& world);
   void stop_approaches(World& world, double h);
-  void find_forces(World& world, double h);
+  double find_forces(World& world, double h, double least);
+  [[nodiscard]] bool may_guess_roughly(const World& world) const;
+  double guess_forces(World& world, double h, double accuracy);
   double improve_forces(World& world, double h, double least);
   [[nodiscard]] std::optional<Approach> rebound(const World& world, BodyIndex a, BodyIndex b,
                                                 const ShapePair& parts) const;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "physics/contact/contact_velocity.h"
@@ -27,6 +28,10 @@ int most_guesses(int contacts) {
   return contacts <= kFewContactsOfScene ? 4 : 2;
 }
 constexpr double kGuessed = 1e-9;
+// Likewise where linear forces are to replace them, which find out themselves what the contacts do, for so many
+// contacts at most.
+constexpr double kRoughlyGuessed = 1e-4;
+constexpr int kMostRough = 4;
 // Of a body's acceleration by other forces: so much counts as pressing it, so that a change of its speed by no
 // more than those forces make is not sudden (see turn_contacts).
 constexpr double kHeld = 1.0 / 30.0;
@@ -239,8 +244,8 @@ void RestingContacts::fly(World& world, double h) {
   free_ = flight_.velocity - h * flight_.by;
 }
 
-// As find_forces(), without guessed forces, from which contacts turn: where those press jammed bodies hard, the
-// guessed flight is far off.
+// As guess_forces(), without guessed forces, from which contacts turn: where those press jammed bodies hard,
+// the guessed flight is far off.
 ContactSolverReport RestingContacts::solve_going_straight_on(World& world, double h,
                                                              const ContactSolverOptions& options) {
   found_.contacts = at_start_;
@@ -257,13 +262,41 @@ bool RestingContacts::is_unsolved(const ContactSolverReport& report) const {
   return report.missed_islands > 0 && report.residual > kUnsolved * pressing_.change_by_forces();
 }
 
-// Finds forces on the trajectories such that the velocities satisfy the contacts at the step's end. If the
-// flight under these forces is far from the guessed one, they are the next guess.
-void RestingContacts::find_forces(World& world, double h) {
-  Contacts& c = found_.contacts;
-  at_start_ = c;
+// Finds the forces of a part of h s, constant or linear, on the trajectories. Returns for how long their
+// contacts stay what they are.
+double RestingContacts::find_forces(World& world, double h, double least) {
+  at_start_ = found_.contacts;
   support_before_ = found_.guess;
+  if (may_guess_roughly(world)) {
+    const double off = guess_forces(world, h, kRoughlyGuessed);
+    const double holds = improve_forces(world, h, least);
+    if (off <= kGuessed * pressing_.change_by_forces() || linear_.replaces_all(found_.contacts)) return holds;
+    found_.contacts = at_start_;
+    found_.guess = support_before_;
+    take_off_forces(world);
+  }
+  guess_forces(world, h, kGuessed);
+  return improve_forces(world, h, least);
+}
+
+// Whether linear forces are likely to replace constant ones that are not found at once: those of few contacts
+// that neither rub nor roll.
+bool RestingContacts::may_guess_roughly(const World& world) const {
+  const Contacts& c = found_.contacts;
+  if (c.size() > kMostRough || choice_of(kIntegrators, world.method.integrator).order <= 2) return false;
+  for (int i = 0; i < c.size(); ++i) {
+    if (c.static_friction[i] > 0.0 || c.kinetic_friction[i] > 0.0 || c.rolling[i] > 0.0) return false;
+  }
+  return true;
+}
+
+// Finds constant forces on the trajectories such that the velocities satisfy the contacts at the step's end. If
+// the flight under these forces is far from the guessed one, they are the next guess, until they are off by at
+// most `accuracy` of the change of a speed by forces. Returns how far they are off, in m/s.
+double RestingContacts::guess_forces(World& world, double h, double accuracy) {
+  Contacts& c = found_.contacts;
   const ContactSolverOptions options = solver_options();
+  double off = std::numeric_limits<double>::infinity();
   ContactSolverReport report;
   const int most = most_guesses(c.size());
   for (int guess = 0; guess < most; ++guess) {
@@ -283,15 +316,16 @@ void RestingContacts::find_forces(World& world, double h) {
     prepare(world);
     report = solve_flight(world, h, options);
     if (has_large_island()) break;
-    double off = 0.0;
+    off = 0.0;
     for (const BodyIndex i : memory_.pushed) {
       const Eigen::Vector3d by = after_.col(i) - flight_.velocity.col(i);
       off = std::max(off, by.head<2>().norm() + std::abs(by[2]) * world.shapes().size[i]);
     }
-    if (off <= kGuessed * pressing_.change_by_forces()) break;
+    if (off <= accuracy * pressing_.change_by_forces()) break;
   }
   if (!has_large_island() && is_unsolved(report)) report = solve_going_straight_on(world, h, options);
   report_residual(world, report, pressing_.change_by_forces(), options.tolerance);
+  return off;
 }
 
 // Replaces the constant forces by linear ones where those are better. Returns for how long their contacts stay
