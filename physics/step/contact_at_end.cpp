@@ -9,6 +9,7 @@
 #include "physics/step/contact_sides.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
+#include "physics/step/touch_on_face.h"
 
 namespace carom {
 
@@ -53,29 +54,33 @@ std::optional<GuessedEnd> ContactsAtEnd::same() const {
   return std::nullopt;
 }
 
-// The contact of a corner on the line of a face, as long as it is on the face, or on one that continues it.
+// The contact of a tip on the line of a face, as long as it is on the face, or on one that continues it.
 std::optional<Contact> ContactsAtEnd::on_line() const {
   const Geometry& g = world_.shapes();
+  const auto beyond = [&](const TipOnFace& tip) {
+    return beyond_face(g, a_.body, a_.end, b_.body, b_.end, tip);
+  };
+  const auto on_its_line = [&](const TipOnFace& tip) {
+    return contact_on_line(g, a_.body, a_.end, b_.body, b_.end, tip);
+  };
+  if (const auto on = touch_on_face(world_, found_, contact_)) {
+    const TipOnFace tip = on->on_line();
+    if (const double past = beyond(tip); past != 0.0 && face_goes_on(tip, past > 0.0)) return on_its_line(tip);
+  }
   const auto halfway = [&](const Flown& flown) {
     return g.pose(flown.body, world_.trajectories.at_start(flown.body).head<3>() + 0.5 * flown.moved);
   };
-  const auto touch = corner_on_face(g, a_.body, halfway(a_), b_.body, halfway(b_), id());
+  const auto touch = tip_on_face(g, a_.body, halfway(a_), b_.body, halfway(b_), id());
   if (!touch) return std::nullopt;
-  const double beyond = beyond_face(g, a_.body, a_.end, b_.body, b_.end, *touch);
-  if (std::abs(beyond) > kFlush * size() && !slides_on() && !face_goes_on(*touch, beyond > 0.0))
-    return std::nullopt;
-  return contact_on_line(g, a_.body, a_.end, b_.body, b_.end, *touch);
+  if (std::abs(beyond(*touch)) > kFlush * size() && !slides_on()) return std::nullopt;
+  return on_its_line(*touch);
 }
 
 // Whether another part goes on with the face of this touch beyond its end, or its start.
-bool ContactsAtEnd::face_goes_on(const CornerOnFace& touch, bool at_end) const {
-  const Geometry& g = world_.shapes();
+bool ContactsAtEnd::face_goes_on(const TipOnFace& touch, bool at_end) const {
   const auto& [own, other] = touch.is_of_b ? std::tie(a_, b_) : std::tie(b_, a_);
-  const auto& [part, toucher] = touch.is_of_b ? std::tie(parts_.a, parts_.b) : std::tie(parts_.b, parts_.a);
-  const Corner& corner = g.shapes.corners_of(part)[touch.face];
-  const Face face{part, corner.normal, corner.vertex, corner.length};
-  return goes_on_past(world_, own.body, face, at_end, other.body, toucher, others_,
-                      [this](BodyIndex body) { return pose(body); });
+  return goes_on_past(world_, own.body, touch.face, at_end, other.body, touch.is_of_b ? parts_.b : parts_.a,
+                      others_, [this](BodyIndex body) { return pose(body); });
 }
 
 // Whether this point at the end is where the contact was on one of its bodies: a corner that another edge faces

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "physics/collision/corner_on_face.h"
+#include "physics/collision/tip_on_face.h"
 #include "physics/collision/pair_contact.h"
 #include "physics/step/contact_finder.h"
 #include "physics/step/contact_turning.h"
@@ -56,7 +56,7 @@ class ContactsAtEnd {
   [[nodiscard]] double size() const { return world_.shapes().size[a_.body] + world_.shapes().size[b_.body]; }
   [[nodiscard]] bool slides_on() const;
   [[nodiscard]] std::optional<Contact> on_line() const;
-  [[nodiscard]] bool face_goes_on(const CornerOnFace& touch, bool at_end) const;
+  [[nodiscard]] bool face_goes_on(const TipOnFace& touch, bool at_end) const;
   [[nodiscard]] bool is_same_corner(const ManifoldPoint& end) const;
   [[nodiscard]] bool has_rolled_on() const;
   [[nodiscard]] double from_corner(BodyIndex body, ShapeIndex part) const;

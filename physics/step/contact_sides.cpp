@@ -15,13 +15,17 @@ std::optional<Face> face_with(const ConvexShapes& shapes, ShapeIndex part, const
   return std::nullopt;
 }
 
-const Corner* corner_at(const ConvexShapes& shapes, ShapeIndex part, const Vec2& point, double near) {
-  if (!has_faces(shapes, part) || shapes.rounding[part] > 0.0) return nullptr;
+const Corner* core_corner_at(const ConvexShapes& shapes, ShapeIndex part, const Vec2& point, double near) {
+  if (!has_faces(shapes, part)) return nullptr;
   const Corner* corner = shapes.corners_of(part);
   const Corner* end = corner + shapes.corners[part];
   const Corner* found =
       std::find_if(corner, end, [&](const Corner& c) { return (c.vertex - point).norm() <= near; });
   return found == end ? nullptr : found;
+}
+
+const Corner* corner_at(const ConvexShapes& shapes, ShapeIndex part, const Vec2& point, double near) {
+  return shapes.rounding[part] > 0.0 ? nullptr : core_corner_at(shapes, part, point, near);
 }
 
 const Corner& corner_before(const ConvexShapes& shapes, ShapeIndex part, const Corner& corner) {

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "physics/collision/pair_contact.h"
+#include "physics/collision/tip_on_face.h"
 #include "physics/model/convex.h"
 #include "physics/step/contact_finder.h"
 #include "physics/step/internal_edges.h"
@@ -20,22 +21,14 @@ namespace carom {
   return shapes.edges(part) > 0 && shapes.core[part] != Core::kHalfPlane;
 }
 
-// A face, in the frame of its part: it goes from `vertex` along crossed(normal).
-struct Face {
-  ShapeIndex part = kNoShape;
-  Vec2 normal = Vec2::Zero();  // unit, outward
-  Vec2 vertex = Vec2::Zero();  // m
-  double length = 0.0;         // m
-
-  // m: of a point in this frame, along the face from its start.
-  [[nodiscard]] double place_of(const Vec2& point) const { return cross(normal, Vec2(point - vertex)); }
-  [[nodiscard]] Vec2 at(double place) const { return vertex + place * crossed(normal); }
-};
 // Sine by which a normal and that of a face differ at most.
 inline constexpr double kOnFace = 1e-7;
 // The face that has this outward normal in the part's frame.
 [[nodiscard]] std::optional<Face> face_with(const ConvexShapes& shapes, ShapeIndex part, const Vec2& normal);
-// The corner of a part without rounding that is within `near` m of this point of its frame; else null.
+// The corner of a part's core that is within `near` m of this point of its frame; else null.
+[[nodiscard]] const Corner* core_corner_at(const ConvexShapes& shapes, ShapeIndex part, const Vec2& point,
+                                           double near);
+// Likewise, of a part without rounding.
 [[nodiscard]] const Corner* corner_at(const ConvexShapes& shapes, ShapeIndex part, const Vec2& point,
                                       double near);
 // The one before it around the part: the face that comes to this corner is its.

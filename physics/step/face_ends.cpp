@@ -155,6 +155,16 @@ std::optional<LeavingCorners> leaving_corners(const World& world, const FoundCon
   return leaving;
 }
 
+// Whether no other contact of its bodies has pressed up to now.
+bool carries_alone(const FoundContacts& found, int i) {
+  const Contacts& c = found.contacts;
+  for (int k = 0; k < c.size(); ++k) {
+    const bool joins = c.a[k] == c.a[i] || c.b[k] == c.b[i] || c.a[k] == c.b[i] || c.b[k] == c.a[i];
+    if (joins && (found.guess[static_cast<std::size_t>(k)][0] > 0.0) == (k != i)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void find_touches_near_ends(const World& world, const FoundContacts& found, const Neighbours& neighbours,
@@ -173,8 +183,9 @@ void find_touches_near_ends(const World& world, const FoundContacts& found, cons
     TouchNearEnd& touch = coming.touch;
     touch.law_changes =
         world.model->surfaces.materials > 1 && law_changes(world, *on, touch.towards_end, neighbours);
-    // Two faces part where the last corner of the one comes to the end of the other.
-    const bool ends = !on->flat || on->to_end == touch.towards_end;
+    // Two faces part where the last corner of the one comes to the end of the other. The first one that comes
+    // there stays behind, which matters where nothing else carries the load.
+    const bool ends = !on->flat || on->to_end == touch.towards_end || carries_alone(found, i);
     if (touch.law_changes || (ends && coming.left > at_end)) touches.push_back(touch);
   }
 }

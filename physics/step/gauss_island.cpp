@@ -83,10 +83,10 @@ bool find_contact(const World& world, BodyIndex a, const PosedMotion& of_a, Body
 bool find_contact(const GaussStep& step, const GaussContact& c, const PosedMotion& of_a,
                   const PosedMotion& of_b, Contact& contact, RowVelocity& velocity) {
   const Geometry& g = step.world.shapes();
-  if (!c.corner)
+  if (!c.tip)
     return find_contact(step.world, c.a, of_a, c.b, of_b, step.found.id[static_cast<std::size_t>(c.contact)],
                         contact, velocity);
-  contact = contact_on_line(g, c.a, of_a.pose, c.b, of_b.pose, *c.corner);
+  contact = contact_on_line(g, c.a, of_a.pose, c.b, of_b.pose, *c.tip);
   velocity = velocity_at(contact, of_a.y, of_b.y);
   return true;
 }
@@ -171,7 +171,7 @@ bool GaussIsland::is_continued(const GaussStep& step) const {
   return std::any_of(closed_.begin(), closed_.end(), [&](const GaussContact& c) {
     Contact contact;
     RowVelocity velocity;
-    if (c.corner || !may_be_continued(world, c.a, c.b) ||
+    if (c.tip || !may_be_continued(world, c.a, c.b) ||
         !find_contact(world, c.a, sampled(c.a).end, c.b, sampled(c.b).end,
                       step.found.id[static_cast<std::size_t>(c.contact)], contact, velocity))
       return false;

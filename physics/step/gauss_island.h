@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/collision/corner_on_face.h"
+#include "physics/collision/tip_on_face.h"
 #include "physics/contact/contact_rows.h"
 #include "physics/dynamics/state.h"
 #include "physics/step/contact_finder.h"
@@ -66,7 +66,7 @@ struct GaussContact {
   int contact = 0;
   BodyIndex a, b;
   Eigen::Index column_a = 0, column_b = 0;  // of its bodies in the island
-  std::optional<CornerOnFace> corner;       // that touches at the start
+  std::optional<TipOnFace> tip;             // that touches at the start
   int face = 0;                             // contacts of the same face slip alike
   bool presses = true;
   bool spared = false;  // it has been taken to press no more, as others hold its bodies
@@ -126,6 +126,7 @@ class GaussIsland {
   // Gives a contact the tangential forces of all that stick on its face.
   void hold_face(GaussContact& holder);
   bool start(const GaussStep& step, GaussContact& c) const;
+  [[nodiscard]] std::optional<TipOnFace> tip_over_seam(const GaussStep& step, const GaussContact& c) const;
   [[nodiscard]] std::pair<double, double> friction_on(const GaussStep& step, int face) const;
   [[nodiscard]] bool is_needed(const GaussStep& step) const;
   void sample(const GaussStep& step, std::size_t place);

@@ -10,6 +10,7 @@
 #include "physics/step/gauss_island.h"
 #include "physics/step/gauss_modes.h"
 #include "physics/step/pair_motion.h"
+#include "physics/step/touch_on_face.h"
 
 // How an island begins a part of a step: which contacts are closed, which of them stick, and whether constant
 // forces do.
@@ -90,14 +91,32 @@ bool GaussIsland::begin(const GaussStep& step, std::span<const int> contacts) {
   const Geometry& g = step.world.shapes();
   for (GaussContact& c : closed_) {
     // At the ends it may be the end of its face.
-    c.corner = corner_on_face(g, c.a, sampled(c.a).halfway.pose, c.b, sampled(c.b).halfway.pose,
-                              step.found.id[static_cast<std::size_t>(c.contact)]);
+    c.tip = tip_over_seam(step, c);
+    if (c.tip) continue;
+    c.tip = tip_on_face(g, c.a, sampled(c.a).halfway.pose, c.b, sampled(c.b).halfway.pose,
+                        step.found.id[static_cast<std::size_t>(c.contact)]);
   }
   if (!look(step) || is_continued(step)) return false;
   for (GaussContact& c : closed_) {
     if (!start(step, c)) return false;
   }
   return is_needed(step);
+}
+
+// What comes over a seam stays on the line of the face before it.
+std::optional<TipOnFace> GaussIsland::tip_over_seam(const GaussStep& step, const GaussContact& c) const {
+  const Geometry& g = step.world.shapes();
+  const auto others = step.neighbours.of_pair(step.world, c.a, c.b);
+  if (!g.has_parts(c.a) && !g.has_parts(c.b) && others.empty()) return std::nullopt;
+  const auto on = touch_on_face(step.world, step.found, c.contact);
+  if (!on) return std::nullopt;
+  const TipOnFace tip = on->on_line();
+  const double beyond = beyond_face(g, c.a, at_end(c.a).pose, c.b, at_end(c.b).pose, tip);
+  const auto pose = [&](BodyIndex body) { return g.pose(body, step.world.trajectories.place(body, step.h)); };
+  if (beyond == 0.0 ||
+      !goes_on_past(step.world, on->body, on->face, beyond > 0.0, on->toucher, on->toucher_part, others, pose))
+    return std::nullopt;
+  return tip;
 }
 
 // Lists the closed contacts and all bodies. False if there are none, or if one presses that is not closed.

@@ -12,15 +12,15 @@ namespace {
 // Relative to the size of what slides or rolls over a seam.
 constexpr double kPastSeam = 2e-7;
 
-// Contact i as that of a disc or a corner of the other side on this face.
+// Contact i as that of a tip of the other side on this face.
 std::optional<TouchOnFace> touch_by(const World& world, const FoundContacts& found, int i, const Face& face,
                                     const ContactSide& own, const ContactSide& other) {
   const ConvexShapes& shapes = world.shapes().shapes;
   TouchOnFace on{.toucher = other.body, .toucher_part = other.part, .body = own.body, .face = face};
   if (!is_round(shapes, other.part)) {
-    const Corner* corner =
-        corner_at(shapes, other.part, other.of_part(found.point[static_cast<std::size_t>(i)]),
-                  kAtCorner * sizes(world, own.body, other.body));
+    const Vec2 point = found.point[static_cast<std::size_t>(i)] - shapes.rounding[other.part] * other.out;
+    const Corner* corner = core_corner_at(shapes, other.part, other.of_part(point),
+                                          kAtCorner * sizes(world, own.body, other.body));
     if (corner == nullptr) return std::nullopt;
     on.tip = corner->vertex;
   }

@@ -9,18 +9,23 @@
 
 namespace carom {
 
-// A disc, or a corner, that touches a face of another body.
+// A corner, or the centre of a rounding, that touches a face of another body.
 struct TouchOnFace {
   BodyIndex toucher = kNoBody;
   ShapeIndex toucher_part = kNoShape;
-  Vec2 tip = Vec2::Zero();  // m, the disc's centre or the corner, in the frame of its part
+  Vec2 tip = Vec2::Zero();  // m, in the frame of its part
   BodyIndex body = kNoBody;
   Face face;
   bool flat = false;    // a face of its own lies on this one
   bool to_end = false;  // which goes from the corner towards the end of this one, else towards its start
 
   [[nodiscard]] bool is_corner(const World& world) const {
-    return !is_round(world.shapes().shapes, toucher_part);
+    return world.shapes().shapes.rounding[toucher_part] == 0.0;
+  }
+  [[nodiscard]] TipOnFace on_line() const {
+    const bool is_of_b = body < toucher;
+    return {is_of_b ? ShapePair{face.part, toucher_part} : ShapePair{toucher_part, face.part}, is_of_b, tip,
+            face};
   }
 };
 

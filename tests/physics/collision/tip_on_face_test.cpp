@@ -1,4 +1,4 @@
-#include "physics/collision/corner_on_face.h"
+#include "physics/collision/tip_on_face.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -16,10 +16,10 @@ namespace {
 const BodyIndex kA{0};
 const BodyIndex kB{1};
 
-class CornerOnFaceTest : public testing::Test {
+class TipOnFaceTest : public testing::Test {
  protected:
   // Two boxes, the second on the first: 2 m by 0.5 m, and 0.4 m by 0.2 m.
-  CornerOnFaceTest()
+  TipOnFaceTest()
       : geometry_(geometry({test::box("table", {0.0, -0.25}, {0.0, 0.0}, 2.0, 0.5),
                             test::box("box", {0.0, 0.1}, {0.0, 0.0}, 0.4, 0.2)})) {}
 
@@ -34,7 +34,7 @@ class CornerOnFaceTest : public testing::Test {
 
 Pose turned(double x, double y, double angle) { return {{x, y}, std::cos(angle), std::sin(angle)}; }
 
-TEST_F(CornerOnFaceTest, IsTheManifoldsPointWhileItIsOnTheFace) {
+TEST_F(TipOnFaceTest, IsTheManifoldsPointWhileItIsOnTheFace) {
   for (const double x : {-1.05, -0.3, 0.0, 0.9, 1.1}) {
     for (const double angle : {-0.2, -1e-3, 0.0, 1e-3, 0.2}) {
       const Pose table = turned(0.3, -0.25, 0.1);
@@ -43,7 +43,7 @@ TEST_F(CornerOnFaceTest, IsTheManifoldsPointWhileItIsOnTheFace) {
       ASSERT_EQ(m.count, 2);
       for (int k = 0; k < m.count; ++k) {
         const Contact point = m.contact(k);
-        const std::optional<CornerOnFace> corner = corner_on_face(g(), kA, table, kB, box, m.points[k].id);
+        const std::optional<TipOnFace> corner = tip_on_face(g(), kA, table, kB, box, m.points[k].id);
         ASSERT_TRUE(corner) << x << " " << angle << " " << k;
         const Contact line = contact_on_line(g(), kA, table, kB, box, *corner);
         // Along the normal of the other face the gap of a corner is another one.
@@ -55,13 +55,13 @@ TEST_F(CornerOnFaceTest, IsTheManifoldsPointWhileItIsOnTheFace) {
   }
 }
 
-TEST_F(CornerOnFaceTest, StaysOnTheLineBeyondTheEnd) {
+TEST_F(TipOnFaceTest, StaysOnTheLineBeyondTheEnd) {
   const Pose table = turned(0.0, -0.25, 0.0);
   const Pose box = turned(0.7, 0.1, 0.0);
   const Manifold m = touch(table, box);
   ASSERT_EQ(m.count, 2);
   for (int k = 0; k < m.count; ++k) {
-    const std::optional<CornerOnFace> corner = corner_on_face(g(), kA, table, kB, box, m.points[k].id);
+    const std::optional<TipOnFace> corner = tip_on_face(g(), kA, table, kB, box, m.points[k].id);
     ASSERT_TRUE(corner);
     const double x = m.points[k].point.x();
     const Contact past = contact_on_line(g(), kA, table, kB, turned(1.7, 0.1, 0.0), *corner);
@@ -71,13 +71,13 @@ TEST_F(CornerOnFaceTest, StaysOnTheLineBeyondTheEnd) {
   }
 }
 
-TEST_F(CornerOnFaceTest, IsOfTheFaceThatReachesFurther) {
+TEST_F(TipOnFaceTest, IsOfTheFaceThatReachesFurther) {
   const Pose table = turned(0.0, -0.25, 0.0);
   const Pose box = turned(0.95, 0.1, 0.0);  // over the edge
   const Manifold m = touch(table, box);
   ASSERT_EQ(m.count, 2);
   for (int k = 0; k < m.count; ++k) {
-    const std::optional<CornerOnFace> corner = corner_on_face(g(), kA, table, kB, box, m.points[k].id);
+    const std::optional<TipOnFace> corner = tip_on_face(g(), kA, table, kB, box, m.points[k].id);
     ASSERT_TRUE(corner);
     EXPECT_EQ(corner->is_of_b, m.points[k].point.x() < 0.9) << m.points[k].point.x();
   }
