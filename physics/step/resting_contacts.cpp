@@ -179,9 +179,13 @@ double RestingContacts::end_of_faces(World& world, double h) {
 void RestingContacts::find_contacts(World& world, double h) {
   pressing_.find(world, step_length_, may_divide_, memory_);
   finder_.find(world, step_length_, h, pressing_, memory_, found_);
-  for (int i = 0; i < found_.contacts.size(); ++i) {
-    if (leaves_corner(world, found_, i, finder_.neighbours(), h) || has_passed_on(world, found_, i))
-      found_.contacts.target[i] = -std::numeric_limits<double>::infinity();
+  Contacts& c = found_.contacts;
+  for (int i = 0; i < c.size(); ++i) {
+    const bool leaves = leaves_corner(world, found_, i, finder_.neighbours(), h);
+    if (!leaves && !has_passed_on(world, found_, i)) continue;
+    c.target[i] = -std::numeric_limits<double>::infinity();
+    // What leaves a corner may come back to it, with another face.
+    if (leaves) found_.landings.push_back({c.a[i], c.b[i], found_.id[static_cast<std::size_t>(i)]});
   }
 }
 
