@@ -145,6 +145,27 @@ bool runs_along(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, cons
          std::abs(shapes.corners_of(i)->normal.dot(pose.turned_back(normal))) <= kParallel;
 }
 
+// The outward normal of the face on which a point is that is none of its ends.
+std::optional<Vec2> face_at(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& point,
+                            const Vec2& towards, double tolerance) {
+  if (shapes.core[i] == Core::kPoint) return std::nullopt;
+  if (shapes.rounding[i] == 0.0) {
+    const Wedge face = wedge_at(shapes, i, pose, point, towards, tolerance);
+    if (face.where != Wedge::kSurface || !parallel(face.low, face.high)) return std::nullopt;
+    return face.low;
+  }
+  const Vec2 p = pose.turned_back(Vec2(point - pose.position));
+  const Corner* corner = shapes.corners_of(i);
+  for (int k = 0; k < shapes.corners[i]; ++k) {
+    const Vec2 d = p - corner[k].vertex;
+    const double along = cross(corner[k].normal, d);
+    const bool is_on = std::abs(corner[k].normal.dot(d) - shapes.rounding[i]) <= tolerance;
+    if (is_on && along > tolerance && along < corner[k].length - tolerance)
+      return pose.turned(corner[k].normal);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool neighbour_covers(const ConvexShapes& shapes, ShapeIndex owner, const Pose& pose_owner,
@@ -177,11 +198,8 @@ bool lies_over_seam(const ConvexShapes& shapes, ShapeIndex owner, const Pose& po
                     const Vec2& over, const Vec2& normal, double tolerance) {
   const double reach = shapes.radius[neighbour] + tolerance;
   if ((at - pose_neighbour.position).squaredNorm() > reach * reach) return false;
-  // The ends of rounded faces are not told from the rest.
-  if (shapes.rounding[toucher] > 0.0 || shapes.core[toucher] == Core::kPoint) return false;
-  const Wedge face = wedge_at(shapes, toucher, pose_toucher, over, -normal, tolerance);
-  if (face.where != Wedge::kSurface || !parallel(face.low, face.high) || face.low.dot(normal) >= 0.0)
-    return false;
+  const std::optional<Vec2> face = face_at(shapes, toucher, pose_toucher, over, -normal, tolerance);
+  if (!face || face->dot(normal) >= 0.0) return false;
   const Wedge here = wedge_at(shapes, owner, pose_owner, at, normal, tolerance);
   const Wedge there = wedge_at(shapes, neighbour, pose_neighbour, at, normal, tolerance);
   if (here.where != Wedge::kSurface || there.where != Wedge::kSurface) return false;

@@ -144,7 +144,7 @@ void add_cones_of(const PlacedPart& own, const std::vector<PlacedPart>& near, Co
 
 void find_corner_cones(const std::vector<Body>& bodies, Geometry& g) {
   ConvexShapes& shapes = g.shapes;
-  std::vector<PlacedPart> staying;  // of bodies that do not move
+  std::vector<PlacedPart> staying;  // of bodies that do not move, or as drives make them
   std::vector<PlacedPart> near;
   const auto placed = [&](BodyIndex i, const auto& visit) {
     const Body& body = bodies[static_cast<std::size_t>(i)];
@@ -152,15 +152,14 @@ void find_corner_cones(const std::vector<Body>& bodies, Geometry& g) {
     const Pose pose{body.position, along.x(), along.y()};
     g.each_part(i, [&](ShapeIndex part) { visit(PlacedPart{i, part, g.part_pose(i, part, pose)}); });
   };
-  const auto stays = [&](BodyIndex i) {
-    const Body& body = bodies[static_cast<std::size_t>(i)];
-    return body.fixed && !body.drive;
-  };
+  const auto drive = [&](BodyIndex i) -> const auto& { return bodies[static_cast<std::size_t>(i)].drive; };
+  const auto stays = [&](BodyIndex i) { return bodies[static_cast<std::size_t>(i)].fixed || drive(i); };
   const auto add_cones = [&](const PlacedPart& own) {
     if (!has_corners(shapes, own.part)) return;
     near.clear();
     const auto add_near = [&](const PlacedPart& other) {
-      if (other.part == own.part || g.group[own.body] != g.group[other.body]) return;
+      const bool together = own.body == other.body || drive(own.body) == drive(other.body);
+      if (other.part == own.part || !together || g.group[own.body] != g.group[other.body]) return;
       const double reach = shapes.radius[other.part] + shapes.radius[own.part];
       const double allowed = (1.0 + kMeets) * reach + kFar * own.pose.position.lpNorm<1>();
       if ((own.pose.position - other.pose.position).squaredNorm() <= allowed * allowed) near.push_back(other);

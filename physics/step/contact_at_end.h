@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "physics/collision/tip_on_face.h"
 #include "physics/collision/pair_contact.h"
+#include "physics/collision/tip_on_face.h"
 #include "physics/step/contact_finder.h"
 #include "physics/step/contact_turning.h"
 #include "physics/step/world.h"

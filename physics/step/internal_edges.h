@@ -23,7 +23,7 @@ inline constexpr double kFlush = 1e-8;
 }
 
 // Whether this contact of a and b is none of the ends of the stretch along which they touch: a face lies over
-// the place where two bodies of infinite mass at rest make one face, or two shapes of one body.
+// the place where two bodies at rest, or that one drive moves, make one face, or two shapes of one body.
 template <class PoseOf>
 [[nodiscard]] bool on_seam_of_face(const World& world, BodyIndex a, BodyIndex b, const Contact& contact,
                                    std::span<const BodyIndex> others, const PoseOf& pose) {
@@ -45,8 +45,8 @@ template <class PoseOf>
       return any;
     };
     if (g.has_parts(owner) && continues(owner)) return true;
-    return world.is_immovable(owner) && std::any_of(others.begin(), others.end(), [&](BodyIndex other) {
-             return other != owner && world.is_immovable(other) && world.can_collide(other, toucher) &&
+    return world.infinite_mass(owner) && std::any_of(others.begin(), others.end(), [&](BodyIndex other) {
+             return other != owner && world.stay_together(owner, other) && world.can_collide(other, toucher) &&
                     continues(other);
            });
   };

@@ -53,6 +53,12 @@ struct World {
   [[nodiscard]] bool is_immovable(BodyIndex body) const {
     return model->infinite_mass(body) && !model->is_kinematic(body);
   }
+  // Whether nothing moves either of them, or the same drive both.
+  [[nodiscard]] bool stay_together(BodyIndex a, BodyIndex b) const {
+    if (!infinite_mass(a) || !infinite_mass(b) || model->is_kinematic(a) != model->is_kinematic(b))
+      return false;
+    return !model->is_kinematic(a) || model->drive(a) == model->drive(b);
+  }
   // Whether they move as one body: by a weld, or as nothing moves them, such as the tiles of a floor.
   [[nodiscard]] bool move_as_one(BodyIndex a, BodyIndex b) const {
     return a == b || (is_immovable(a) && is_immovable(b)) || trajectories.welded().are_one(a, b);
