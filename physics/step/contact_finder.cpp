@@ -157,6 +157,7 @@ void ContactFinder::find(World& world, double step_length, double h, const Conta
   found.clear();
   near_.clear();
   supported_.clear();
+  supported_parts_.clear();
   supported_rest_.clear();
   hit_.clear();
   kept_apart_.clear();
@@ -213,7 +214,7 @@ Manifold ContactFinder::exposed(const Step& step, BodyIndex a, BodyIndex b, cons
   return exposed_points(
       world, a, b, m, neighbours_.of_pair(world, a, b), [&](BodyIndex body) { return poses_[body]; },
       [&](const ManifoldPoint& continued) {
-        if (continued.gap <= kFlush * size || was_held(world, step.memory.forces, a, b)) support(a, b, 0.0);
+        if (continued.gap <= kFlush * size || was_held(world, step.memory.forces, a, b)) support(a, b, world.shapes().parts_or_first(m.parts, a, b), 0.0);
       });
 }
 
@@ -262,6 +263,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   const auto& forces = step.memory.forces;
   const SurfaceLaw& material = world.material(m.contact(0), a, b);
   const bool located = is_located(world, a, b, material);
+  const ShapePair parts = world.shapes().parts_or_first(m.parts, a, b);
   // Discs have no other corner that stays; in a jam they would bounce on for ever.
   const bool cornered = !world.shapes().is_disc(a) && !world.shapes().is_disc(b);
   const bool euler_in_time = located && world.method.integrator == IntegratorId::kExplicitEuler &&
@@ -299,7 +301,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const bool touches = follows && !open && outside;
     const bool lands_now = touches && !slow;
     // The event queue knows no pair that the error of the forces that held it has left inside.
-    if (touches && at.gap < -rounding) support(a, b, rest);
+    if (touches && at.gap < -rounding) support(a, b, parts, rest);
     if (!near || begins_later || lands_now || (located && !slow && at.gap >= -rounding)) {
       if (begins_later || lands_now || (located && open && closing > rest))
         found.landings.push_back({a, b, at.id});
@@ -324,7 +326,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     found.id.push_back(at.id);
     found.point.push_back(at.point);
     found.press.push_back(press);
-    if (slow) support(a, b, rest);
+    if (slow) support(a, b, parts, rest);
     if (!located) keep_apart(a, b);
   }
   if (hits_now && !supported_.empty() && supported_.back() == std::pair(a, b))
@@ -362,7 +364,9 @@ void ContactFinder::keep_apart(BodyIndex a, BodyIndex b) {
   if (kept_apart_.empty() || kept_apart_.back() != std::pair(a, b)) kept_apart_.emplace_back(a, b);
 }
 
-void ContactFinder::support(BodyIndex a, BodyIndex b, double rest) {
+void ContactFinder::support(BodyIndex a, BodyIndex b, const ShapePair& parts, double rest) {
+  const std::tuple supported(a, b, parts.a, parts.b);
+  if (supported_parts_.empty() || supported_parts_.back() != supported) supported_parts_.push_back(supported);
   if (supported_.empty() || supported_.back() != std::pair(a, b)) {
     supported_.emplace_back(a, b);
     supported_rest_.push_back(rest);
@@ -375,8 +379,9 @@ bool ContactFinder::is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const {
                      [&](const Landing& kept) { return kept.a == a && kept.b == b && kept.id == id; });
 }
 
-bool ContactFinder::supports(BodyIndex a, BodyIndex b) const {
-  return std::binary_search(supported_.begin(), supported_.end(), std::pair(a, b));
+bool ContactFinder::supports(BodyIndex a, BodyIndex b, const ShapePair& parts) const {
+  return std::binary_search(supported_parts_.begin(), supported_parts_.end(),
+                            std::tuple(a, b, parts.a, parts.b));
 }
 
 bool ContactFinder::is_hit(BodyIndex a, BodyIndex b) const {

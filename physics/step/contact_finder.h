@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <utility>
+#include <tuple>
 #include <vector>
 
 #include "physics/collision/pair_contact.h"
@@ -82,8 +83,8 @@ class ContactFinder {
   [[nodiscard]] const std::vector<BodyPair>& supported() const { return supported_; }
   // Bodies near each other, by body.
   [[nodiscard]] const Neighbours& neighbours() const { return neighbours_; }
-  // Whether a contact supports the pair in this step; a < b.
-  [[nodiscard]] bool supports(BodyIndex a, BodyIndex b) const;
+  // Whether a contact supports these parts of the pair in this step; a < b.
+  [[nodiscard]] bool supports(BodyIndex a, BodyIndex b, const ShapePair& parts) const;
   // Whether the pair is supported at one point and hits at another one, now: too fast to rest there.
   [[nodiscard]] bool is_hit(BodyIndex a, BodyIndex b) const;
   // Whether no impact of the pair in this part is to be searched, at the velocities of now: contacts keep it
@@ -99,7 +100,7 @@ class ContactFinder {
     const ContactMemory& memory;
     FoundContacts& found;
   };
-  void support(BodyIndex a, BodyIndex b, double rest);
+  void support(BodyIndex a, BodyIndex b, const ShapePair& parts, double rest);
   void keep_apart(BodyIndex a, BodyIndex b);
   [[nodiscard]] bool is_located(const World& world, BodyIndex a, BodyIndex b, const SurfaceLaw& law) const;
   [[nodiscard]] bool is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const;
@@ -116,6 +117,7 @@ class ContactFinder {
   NearPairs near_pairs_;
   Neighbours neighbours_;
   std::vector<BodyPair> near_;
+  std::vector<std::tuple<BodyIndex, BodyIndex, ShapeIndex, ShapeIndex>> supported_parts_;  // in rising order
   std::vector<BodyPair> supported_;
   std::vector<Landing> kept_;
   std::vector<std::uint8_t> presses_;   // by body; empty: all impacts are located

@@ -153,7 +153,7 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
 
   // A resting pair waits for the step's end, unless it closes faster than the forces alone make it.
   const auto waits = [&](double closing) {
-    return rules.rests(a, b) && closing <= pressed_in(world, a, b, world.method.step);
+    return rules.rests(a, b, world.shapes().first_parts(a, b)) && closing <= pressed_in(world, a, b, world.method.step);
   };
   const double tolerance = touch_tolerance(world, a, b, end - start);
   const double distance = d.norm();
@@ -203,7 +203,7 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
       [&, part = part_b](double t) { return paths.pose(b, part, t); },
       path_bound + around_bodies(world, a, b, parts), trajectories.turn_bound(a), trajectories.turn_bound(b));
   const double tolerance = touch_tolerance(world, a, b, end - begin);
-  const bool resting = rules.rests(a, b);
+  const bool resting = rules.rests(a, b, parts);
   const auto waits = [&](double t) {
     return -paths.fastest_approach(a, b, parts, t, tolerance).speed <=
            pressed_in(world, a, b, world.method.step);

@@ -25,9 +25,9 @@ struct SearchRules {
   double closing_share;            // of the bodies' speeds: a smaller closing speed counts as zero
   double from;                     // s after the epoch: earlier contacts don't count
   double until;                    // s after the epoch: nor do later ones
-  [[nodiscard]] bool rests(BodyIndex a, BodyIndex b) const {
+  [[nodiscard]] bool rests(BodyIndex a, BodyIndex b, const ShapePair& parts) const {
     const bool supported =
-        resting != nullptr && resting->finder().supports(a, b) && !resting->finder().is_hit(a, b);
+        resting != nullptr && resting->finder().supports(a, b, parts) && !resting->finder().is_hit(a, b);
     return supported || end_of_step.rests(a, b);
   }
 };

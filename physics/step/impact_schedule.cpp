@@ -206,7 +206,7 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
                         std::max(trajectories.start(a), trajectories.start(b));
   const double tolerance = touch_tolerance(world, a, b, flight);
   const auto [low, high] = std::minmax(a, b);
-  const bool rests = SearchRules{end_of_step_, step.resting, 0.0, 0.0, kNever}.rests(low, high);
+  const SearchRules rules{end_of_step_, step.resting, 0.0, 0.0, kNever};
   std::optional<ShapePair> meet;
   double fastest = kNever;
   shapes.each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
@@ -214,7 +214,8 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
     const Approach at =
         approach_of(shapes, a, of_a.head<3>(), twist_a, b, of_b.head<3>(), twist_b, tolerance, parts);
     if (at.contact.gap > tolerance || !(at.speed < fastest)) return;
-    if (rests && -at.speed <= pressed_in(world, a, b, step.h)) return;
+    const ShapePair in_order = a < b ? parts : ShapePair{part_b, part_a};
+    if (rules.rests(low, high, in_order) && -at.speed <= pressed_in(world, a, b, step.h)) return;
     if (on_internal_edge(world, a, b, at.contact, near_, pose)) return;
     fastest = at.speed;
     meet = parts;
