@@ -111,15 +111,22 @@ GuessedEnd ContactsAtEnd::carried() const {
   const Vec2 by_a = a_.moved.head<2>() + a_.moved[2] * crossed(c.arm_a[i]);
   const Vec2 by_b = b_.moved.head<2>() + b_.moved[2] * crossed(c.arm_b[i]);
   end.gap += (by_b - by_a).dot(c.normal[i]);
-  const Geometry& g = world_.shapes();
-  if (g.is_disc(a_.body) != g.is_disc(b_.body)) {
-    end.point += (g.is_disc(a_.body) ? a_ : b_).moved.head<2>();
+  const ConvexShapes& shapes = world_.shapes().shapes;
+  if (is_round(shapes, parts_.a) != is_round(shapes, parts_.b)) {
+    end.point += is_round(shapes, parts_.a) ? moved_centre(a_, parts_.a) : moved_centre(b_, parts_.b);
   } else if (!slides_on()) {
     end.point += 0.5 * (by_a + by_b);
   } else {
     end.point += from_corner(a_.body, parts_.a) < from_corner(b_.body, parts_.b) ? by_a : by_b;
   }
   return end;
+}
+
+// m: how far the centre of a part goes.
+Vec2 ContactsAtEnd::moved_centre(const Flown& flown, ShapeIndex part) const {
+  const Geometry& g = world_.shapes();
+  return g.part_pose(flown.body, part, flown.end).position -
+         g.part_pose(flown.body, part, pose_at_start(world_, flown.body)).position;
 }
 
 // m: from the contact at the start to the nearest corner of this part of a body.

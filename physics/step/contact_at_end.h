@@ -59,6 +59,7 @@ class ContactsAtEnd {
   [[nodiscard]] bool face_goes_on(const TipOnFace& touch, bool at_end) const;
   [[nodiscard]] bool is_same_corner(const ManifoldPoint& end) const;
   [[nodiscard]] bool has_rolled_on() const;
+  [[nodiscard]] Vec2 moved_centre(const Flown& flown, ShapeIndex part) const;
   [[nodiscard]] double from_corner(BodyIndex body, ShapeIndex part) const;
 
   const World& world_;

@@ -211,19 +211,22 @@ double first_face_end(World& world, const std::vector<TouchNearEnd>& touches, co
 }
 
 bool has_passed_on(const World& world, const FoundContacts& found, int i) {
-  const Contacts& c = found.contacts;
-  if (c.size() > kFewContactsOfScene) return false;
-  if (world.shapes().is_disc(c.a[i]) == world.shapes().is_disc(c.b[i])) return false;
-  const BodyIndex disc = world.shapes().is_disc(c.a[i]) ? c.a[i] : c.b[i];
-  const Vec2 point = found.point[static_cast<std::size_t>(i)];
-  const double near = kFlush * sizes(world, c.a[i], c.b[i]) + 1e-12 * point.lpNorm<1>();
+  if (found.contacts.size() > kFewContactsOfScene) return false;
+  const ConvexShapes& shapes = world.shapes().shapes;
+  const ContactSides own = sides_of(world, found, i);
+  if (is_round(shapes, own.a.part) == is_round(shapes, own.b.part)) return false;
+  const ContactSide& disc = is_round(shapes, own.a.part) ? own.a : own.b;
+  const auto point = [&](int k) { return found.point[static_cast<std::size_t>(k)]; };
+  const double near = kFlush * sizes(world, own.a.body, own.b.body) + 1e-12 * point(i).lpNorm<1>();
   const auto is_at_it = [&](int k) {
-    if (k == i || (c.a[k] != disc && c.b[k] != disc)) return false;
-    const Vec2 normal = c.a[k] == disc ? c.normal[k] : Vec2(-c.normal[k]);
-    return (normal - (c.a[i] == disc ? c.normal[i] : Vec2(-c.normal[i]))).norm() <= kOnFace &&
-           (found.point[static_cast<std::size_t>(k)] - point).norm() <= near;
+    if (k == i || (point(k) - point(i)).norm() > near) return false;
+    const ContactSides other = sides_of(world, found, k);
+    const auto is_same = [&](const ContactSide& side) {
+      return side.part == disc.part && (side.out - disc.out).norm() <= kOnFace;
+    };
+    return is_same(other.a) || is_same(other.b);
   };
-  for (int k = 0; k < c.size(); ++k) {
+  for (int k = 0; k < found.contacts.size(); ++k) {
     if (is_at_it(k) && !touch_on_face(world, found, i) && touch_on_face(world, found, k)) return true;
   }
   return false;

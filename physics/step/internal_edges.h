@@ -116,14 +116,16 @@ template <class PoseOf>
   });
 }
 
-// Whether a disc that is at a corner turns about it to this contact, though another part goes on from there:
-// halfway from its normal before, the corner is bare. Over a seam it is not.
+// Whether a disc, or another rounding, that is at a corner turns about it to this contact, though another part
+// goes on from there: halfway from its normal before, the corner is bare. Over a seam it is not.
 template <class PoseOf>
 [[nodiscard]] bool turns_about_corner(const World& world, BodyIndex a, BodyIndex b, const Vec2& normal_before,
                                       const Contact& contact, std::span<const BodyIndex> others,
                                       const PoseOf& pose) {
-  if (world.shapes().is_disc(a) == world.shapes().is_disc(b)) return false;
-  const double side = world.shapes().is_disc(a) ? 0.5 : -0.5;
+  const ShapePair parts = world.shapes().parts_or_first(contact.parts, a, b);
+  const auto& rounding = world.shapes().shapes.rounding;
+  if ((rounding[parts.a] > 0.0) == (rounding[parts.b] > 0.0)) return false;
+  const double side = rounding[parts.a] > 0.0 ? 0.5 : -0.5;
   Contact halfway = contact;
   halfway.point += side * contact.gap * contact.normal;
   halfway.normal = (normal_before + contact.normal).normalized();
