@@ -213,6 +213,8 @@ std::optional<Contact> corner_over_face(const ConvexShapes& shapes, ShapeIndex o
                                         ShapeIndex toucher, const Pose& pose_toucher, const Vec2& over,
                                         const Vec2& normal, double tolerance) {
   if (shapes.rounding[owner] > 0.0 || shapes.rounding[toucher] > 0.0) return std::nullopt;
+  if (shapes.core[toucher] == Core::kHalfPlane) return std::nullopt;
+  const bool ends = shapes.core[owner] != Core::kHalfPlane;
   const Vec2 at = pose_toucher.turned_back(Vec2(over - pose_toucher.position));
   const Corner* corner = shapes.corners_of(toucher);
   const Corner* end = corner + shapes.corners[toucher];
@@ -225,7 +227,8 @@ std::optional<Contact> corner_over_face(const ConvexShapes& shapes, ShapeIndex o
   for (int k = 0; k < shapes.edges(owner); ++k) {
     const Vec2 out = pose_owner.turned(face[k].normal);
     const double along = cross(face[k].normal, Vec2(p - face[k].vertex));
-    if (!(out.dot(normal) > std::numbers::sqrt2 / 2.0) || along < 0.0 || along > face[k].length) continue;
+    if (!(out.dot(normal) > std::numbers::sqrt2 / 2.0) || (ends && (along < 0.0 || along > face[k].length)))
+      continue;
     const double gap = face[k].normal.dot(p - face[k].vertex);
     return Contact{gap, out, point - 0.5 * gap * out};
   }

@@ -173,17 +173,17 @@ void ContactFinder::find(World& world, double step_length, double h, const Conta
     const double rounding = kRounding * (world.shapes().size[a] + world.shapes().size[b] +
                                          world.trajectories.at_start(a).head<2>().lpNorm<1>() +
                                          world.trajectories.at_start(b).head<2>().lpNorm<1>());
-    const std::size_t landings = found.landings.size();
     each_manifold(shapes, a, poses_[a], b, poses_[b], reach_[a] + reach_[b] + rounding,
                   [&, a = a, b = b](const Manifold& m) {
                     while (last < forces.size() && std::pair(forces[last].a, forces[last].b) < std::pair(a, b))
                       ++last;
                     add(step, a, b, where_tips_meet(world, a, b, exposed(step, a, b, m)), rounding, last);
                   });
-    // A pair without support is left to the event queue.
-    if (supported_.empty() || supported_.back() != std::pair(a, b)) found.landings.resize(landings);
   }
   found.contacts.resize(static_cast<int>(found.id.size()));
+  // What has no support yet is left to the event queue.
+  std::erase_if(found.landings,
+                [&](const Landing& landing) { return !is_supported(world, landing.a, landing.b); });
 }
 
 // A body that a fast one may hit within the step may go on as fast as that.
@@ -214,7 +214,8 @@ Manifold ContactFinder::exposed(const Step& step, BodyIndex a, BodyIndex b, cons
   return exposed_points(
       world, a, b, m, neighbours_.of_pair(world, a, b), [&](BodyIndex body) { return poses_[body]; },
       [&](const ManifoldPoint& continued) {
-        if (continued.gap <= kFlush * size || was_held(world, step.memory.forces, a, b)) support(a, b, world.shapes().parts_or_first(m.parts, a, b), 0.0);
+        if (continued.gap <= kFlush * size || was_held(world, step.memory.forces, a, b))
+          support(a, b, world.shapes().parts_or_first(m.parts, a, b), 0.0);
       });
 }
 
@@ -299,7 +300,8 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const bool begins_later = follows ? outside && (comes_later || (cornered && closing < -rest)) && !kept
                                       : euler_in_time && comes_later;
     const bool touches = follows && !open && outside;
-    const bool lands_now = touches && !slow;
+    // What has not pressed before meets by an impact, also without rebound.
+    const bool lands_now = touches && !kept && (!slow || (!pressed_before && closing > rest));
     // The event queue knows no pair that the error of the forces that held it has left inside.
     if (touches && at.gap < -rounding) support(a, b, parts, rest);
     if (!near || begins_later || lands_now || (located && !slow && at.gap >= -rounding)) {
@@ -372,6 +374,18 @@ void ContactFinder::support(BodyIndex a, BodyIndex b, const ShapePair& parts, do
     supported_rest_.push_back(rest);
   }
   supported_rest_.back() = std::min(supported_rest_.back(), rest);
+}
+
+// Whether one of them supports the other, or another tile of the same floor does.
+bool ContactFinder::is_supported(const World& world, BodyIndex a, BodyIndex b) const {
+  if (std::binary_search(supported_.begin(), supported_.end(), std::pair(a, b))) return true;
+  if (world.infinite_mass(a) == world.infinite_mass(b)) return false;
+  const auto [floor, mover] = world.infinite_mass(a) ? std::pair(a, b) : std::pair(b, a);
+  return std::any_of(supported_.begin(), supported_.end(),
+                     [&, floor = floor, mover = mover](const BodyPair& pair) {
+                       return (pair.first == mover && world.stay_together(pair.second, floor)) ||
+                              (pair.second == mover && world.stay_together(pair.first, floor));
+                     });
 }
 
 bool ContactFinder::is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const {

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "physics/collision/pair_contact.h"
@@ -103,6 +103,7 @@ class ContactFinder {
   void support(BodyIndex a, BodyIndex b, const ShapePair& parts, double rest);
   void keep_apart(BodyIndex a, BodyIndex b);
   [[nodiscard]] bool is_located(const World& world, BodyIndex a, BodyIndex b, const SurfaceLaw& law) const;
+  [[nodiscard]] bool is_supported(const World& world, BodyIndex a, BodyIndex b) const;
   [[nodiscard]] bool is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const;
   [[nodiscard]] double stays_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m, double gap,
                                   double closing, bool hits, double rounding) const;

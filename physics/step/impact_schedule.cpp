@@ -20,6 +20,8 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kFewBodies = 12;
 // Searches after an impact that cost nothing.
 constexpr std::int64_t kFewNeighbours = 16;
+// Times the tolerance for what touches: as one end of a face lands the other one is so near.
+constexpr double kEndOfFace = 16.0;
 
 }  // namespace
 
@@ -191,11 +193,19 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
     return trajectories.at(i, std::clamp(time, trajectories.start(i), trajectories.end(i)));
   };
   const auto pose = [&](BodyIndex i) { return shapes.pose(i, motion(i).head<3>()); };
+  // Whether they do, though the nearest point of two faces may be where another part continues one of them.
+  const auto is_bare = [&](const Contact& contact, const ShapePair& parts, double tolerance) {
+    if (!on_internal_edge(world, a, b, contact, near_, pose)) return true;
+    const double margin = std::max(contact.gap, 0.0) + kEndOfFace * tolerance;
+    const Manifold ends = manifold(shapes, a, parts.a, pose(a), b, parts.b, pose(b), margin);
+    return ends.count == 2 &&
+           exposed_points(world, a, b, ends, near_, pose, [](const ManifoldPoint&) {}).count > 0;
+  };
   if (!shapes.has_parts(a) && !shapes.has_parts(b)) {
-    if (near_.empty()) return shapes.first_parts(a, b);
+    const ShapePair parts = shapes.first_parts(a, b);
+    if (near_.empty()) return parts;
     const Contact contact = contact_between(shapes, a, pose(a), b, pose(b));
-    if (on_internal_edge(world, a, b, contact, near_, pose)) return std::nullopt;
-    return shapes.first_parts(a, b);
+    return is_bare(contact, parts, touch_tolerance(world, a, b)) ? std::optional(parts) : std::nullopt;
   }
   const Motion of_a = motion(a);
   const Motion of_b = motion(b);
@@ -216,7 +226,7 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
     if (at.contact.gap > tolerance || !(at.speed < fastest)) return;
     const ShapePair in_order = a < b ? parts : ShapePair{part_b, part_a};
     if (rules.rests(low, high, in_order) && -at.speed <= pressed_in(world, a, b, step.h)) return;
-    if (on_internal_edge(world, a, b, at.contact, near_, pose)) return;
+    if (!is_bare(at.contact, parts, tolerance)) return;
     fastest = at.speed;
     meet = parts;
   });

@@ -54,8 +54,8 @@ double gap_in_flight(World& world, BodyIndex a, BodyIndex b, const ShapePair& pa
 }
 
 bool passes_by(const World& world, BodyIndex a, BodyIndex b, const Approach& at) {
-  if (!(at.contact.gap > 0.0 && at.speed < 0.0)) return false;
-  const double time = at.contact.gap / -at.speed;
+  if (!(at.speed < 0.0)) return false;
+  const double time = std::max(at.contact.gap, 0.0) / -at.speed;
   const Geometry& g = world.shapes();
   const ShapePair parts = g.parts_or_first(at.contact.parts, a, b);
   const auto pose = [&](BodyIndex i, ShapeIndex part) {

@@ -52,8 +52,10 @@ constexpr double kAbout = 0.9;
 constexpr double kWhole = 1.0 - 1e-6;
 // Of a step: in a crowd, where something changes its mode nearly always, no shorter part begins and ends so.
 constexpr double kShortest = 1e-3;
-// Of a step: linear forces are not found again for a shorter part.
+// Of a step: linear forces are not found again for a shorter part. They go on for so much of it, as what ends
+// the part will be at another time under them.
 constexpr double kLeastEnd = 1e-3;
+constexpr double kGoesOn = 1e-4;
 // Rounds in which contacts are kept that would sink in.
 constexpr int kMostSinking = 8;
 // Of the time until a face ends.
@@ -131,7 +133,7 @@ void RestingContacts::support_found(World& world, double h) {
 bool RestingContacts::end_linear_forces(World& world, double time) {
   if (!linear_.any() || !moves_few(world)) return false;
   if (!(time > kLeastEnd * whole_step_ && time < kWhole * supported_)) return false;
-  supported_ = time;
+  supported_ = std::min((1.0 + kGoesOn) * time, supported_);
   take_off_forces(world);
   find_contacts(world, supported_);
   supported_ = std::min(supported_, hold(world, supported_, kAbout * supported_));

@@ -117,16 +117,19 @@ std::optional<LandingTime> RestingContacts::first_landing(World& world, double e
 
 std::optional<Contact> RestingContacts::hit_now(const World& world, const Landing& landing) const {
   const auto& [a, b, id] = landing;
-  const Manifold m = manifold_of(world.shapes(), a, pose_at_start(world, a), b, pose_at_start(world, b), id,
-                                 std::numeric_limits<double>::infinity());
+  const auto pose = [&](BodyIndex i) { return pose_at_start(world, i); };
+  const Manifold all =
+      manifold_of(world.shapes(), a, pose(a), b, pose(b), id, std::numeric_limits<double>::infinity());
+  const Manifold m = exposed_points(world, a, b, all, finder_.neighbours().of_pair(world, a, b), pose,
+                                    [](const ManifoldPoint&) {});
   const int k = point_with(m, id);
   if (k < 0) return std::nullopt;
   // The point that has landed, which need not be the deepest.
   const Contact contact = m.contact(k);
   const SurfaceLaw& material = world.material(contact, a, b);
-  const double closing = -world.parting_speed(a, b, contact);
   const double rest = rest_speed(world, a, b, contact.point, contact.normal, material.restitution);
-  if (!(impact_speed(material, closing) > rest)) return std::nullopt;
+  const double parting = world.parting_speed(a, b, contact);
+  if (!(-parting > rest) || passes_by(world, a, b, {contact, parting})) return std::nullopt;
   return contact;
 }
 
