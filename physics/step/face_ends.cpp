@@ -112,8 +112,12 @@ bool ends_there(World& world, const TouchNearEnd& touch, double time, const Neig
   }
   const auto pose = [&](BodyIndex i) { return g.pose(i, world.trajectories.place(i, time)); };
   const auto [a, b] = std::minmax(on.body, on.toucher);
-  return !goes_on_past(world, on.body, face, touch.towards_end, on.toucher, on.toucher_part,
-                       neighbours.of_pair(world, a, b), pose);
+  // What moves against the body has another surface in the next moment.
+  std::vector<BodyIndex> together;
+  for (const BodyIndex other : neighbours.of_pair(world, a, b)) {
+    if (world.stay_together(on.body, other) || world.move_as_one(on.body, other)) together.push_back(other);
+  }
+  return !goes_on_past(world, on.body, face, touch.towards_end, on.toucher, on.toucher_part, together, pose);
 }
 
 // Two corners that leave each other: each moves out of the other body.
