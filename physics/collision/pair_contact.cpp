@@ -151,13 +151,16 @@ Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
   touch.points[0] = {touch.point, touch.gap, feature_id(Ends::kVertices, closest.vertex_a, closest.vertex_b)};
   const bool corners = closest.edge_a < 0 && closest.edge_b < 0;
   const bool blunt = closest.separation > 0.0 && closest.separation <= kBlunt * frame.scale;
-  if (prefer_faces && (corners || blunt)) {
+  // Faces that touch from end to end: which of their corners are nearest is rounding.
+  const bool end_to_end = corners && closest.separation > 0.0 && closest.separation <= kTip * frame.scale;
+  if (prefer_faces ? corners || blunt : end_to_end) {
     const ClosestFeatures edge = parting_edge(frame, kTie);
     Touch faces = touch;
     faces.normal = edge.normal;
     clip_at(frame, edge, rounding_a, rounding_b, faces);
-    if (faces.count == 2 && std::min(faces.points[0].gap, faces.points[1].gap) <= touch.gap) return faces;
-    if (blunt) {
+    const bool share = faces.count == 2 && (prefer_faces || faces.flat);
+    if (share && std::min(faces.points[0].gap, faces.points[1].gap) <= touch.gap) return faces;
+    if (prefer_faces && blunt) {
       if (faces.count == 1) faces.gap = faces.points[0].gap = edge.separation - (rounding_a + rounding_b);
       return faces;
     }
