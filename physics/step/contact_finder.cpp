@@ -9,6 +9,7 @@
 #include "physics/contact/contact_velocity.h"
 #include "physics/math/vectors.h"
 #include "physics/step/coming_to_rest.h"
+#include "physics/step/impact_cluster.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 
@@ -267,6 +268,8 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   const ShapePair parts = world.shapes().parts_or_first(m.parts, a, b);
   // Discs have no other corner that stays; in a jam they would bounce on for ever.
   const bool cornered = !world.shapes().is_disc(a) && !world.shapes().is_disc(b);
+  const bool few = moves_few(world);
+  const bool meets = few && !is_of_clay(material);
   const bool euler_in_time = located && world.method.integrator == IntegratorId::kExplicitEuler &&
                              forces.size() <= static_cast<std::size_t>(kFewContactsOfScene);
   const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
@@ -297,11 +300,13 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const bool follows = step.pressing.follows_bounces();
     const bool outside = at.gap > -kHeldInside * smaller_size(world, a, b);
     const bool comes_later = !pressed_before && at.gap > kFlush * size;
-    const bool begins_later = follows ? outside && (comes_later || (cornered && closing < -rest)) && !kept
+    const bool bounces = cornered || (few && !pressed_before);
+    const bool begins_later = follows ? outside && (comes_later || (bounces && closing < -rest)) && !kept
                                       : euler_in_time && comes_later;
     const bool touches = follows && !open && outside;
-    // What has not pressed before meets by an impact, also without rebound.
-    const bool lands_now = touches && !kept && (!slow || (!pressed_before && closing > rest));
+    // Where few move what has not pressed before meets by an impact, also without rebound; not if nothing rubs
+    // there, as then the forces of all contacts stop it at once.
+    const bool lands_now = touches && !kept && (!slow || (meets && !pressed_before && closing > rest));
     // The event queue knows no pair that the error of the forces that held it has left inside.
     if (touches && at.gap < -rounding) support(a, b, parts, rest);
     if (!near || begins_later || lands_now || (located && !slow && at.gap >= -rounding)) {
@@ -376,10 +381,10 @@ void ContactFinder::support(BodyIndex a, BodyIndex b, const ShapePair& parts, do
   supported_rest_.back() = std::min(supported_rest_.back(), rest);
 }
 
-// Whether one of them supports the other, or another tile of the same floor does.
+// Whether one of them supports the other or, where few move, another tile of the same floor does.
 bool ContactFinder::is_supported(const World& world, BodyIndex a, BodyIndex b) const {
   if (std::binary_search(supported_.begin(), supported_.end(), std::pair(a, b))) return true;
-  if (world.infinite_mass(a) == world.infinite_mass(b)) return false;
+  if (!moves_few(world) || world.infinite_mass(a) == world.infinite_mass(b)) return false;
   const auto [floor, mover] = world.infinite_mass(a) ? std::pair(a, b) : std::pair(b, a);
   return std::any_of(supported_.begin(), supported_.end(),
                      [&, floor = floor, mover = mover](const BodyPair& pair) {

@@ -17,6 +17,9 @@
 
 namespace carom {
 
+// Whether up to so many bodies, or groups of them, move that a step may be divided often.
+[[nodiscard]] inline bool moves_few(const World& world) { return world.trajectories.islands().size() <= 16; }
+
 // A contact point that closes too fast to rest, of a pair that is supported at other points.
 struct Landing {
   BodyIndex a;

@@ -153,7 +153,8 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
 
   // A resting pair waits for the step's end, unless it closes faster than the forces alone make it.
   const auto waits = [&](double closing) {
-    return rules.rests(a, b, world.shapes().first_parts(a, b)) && closing <= pressed_in(world, a, b, world.method.step);
+    return rules.rests(a, b, world.shapes().first_parts(a, b)) &&
+           closing <= pressed_in(world, a, b, world.method.step);
   };
   const double tolerance = touch_tolerance(world, a, b, end - start);
   const double distance = d.norm();

@@ -215,7 +215,6 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
   const double flight = std::min(trajectories.end(a), trajectories.end(b)) -
                         std::max(trajectories.start(a), trajectories.start(b));
   const double tolerance = touch_tolerance(world, a, b, flight);
-  const auto [low, high] = std::minmax(a, b);
   const SearchRules rules{end_of_step_, step.resting, 0.0, 0.0, kNever};
   std::optional<ShapePair> meet;
   double fastest = kNever;
@@ -224,8 +223,8 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
     const Approach at =
         approach_of(shapes, a, of_a.head<3>(), twist_a, b, of_b.head<3>(), twist_b, tolerance, parts);
     if (at.contact.gap > tolerance || !(at.speed < fastest)) return;
-    const ShapePair in_order = a < b ? parts : ShapePair{part_b, part_a};
-    if (rules.rests(low, high, in_order) && -at.speed <= pressed_in(world, a, b, step.h)) return;
+    const bool rests = a < b ? rules.rests(a, b, parts) : rules.rests(b, a, {part_b, part_a});
+    if (rests && -at.speed <= pressed_in(world, a, b, step.h)) return;
     if (!is_bare(at.contact, parts, tolerance)) return;
     fastest = at.speed;
     meet = parts;

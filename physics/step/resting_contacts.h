@@ -18,9 +18,6 @@
 
 namespace carom {
 
-// Whether up to so many bodies, or groups of them, move that a step may be divided often.
-[[nodiscard]] inline bool moves_few(const World& world) { return world.trajectories.islands().size() <= 16; }
-
 struct LandingTime {
   Landing landing;
   double time = 0.0;  // s after the epoch

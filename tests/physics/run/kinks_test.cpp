@@ -142,5 +142,53 @@ TEST(Kinks, ADiscRollsAndSlidesOverThem) {
   }
 }
 
+// A rough block slides up a kink whose two faces are parts of one body, as up one of two half-planes.
+TEST(Kinks, ARoughBlockRunsUpOneOfOneBody) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  for (const double restitution : {0.0, 0.5}) {
+    for (const double slope : {0.5 * kDegree, 5.0 * kDegree, 20.0 * kDegree}) {
+      for (const double h : {1.0 / 60.0, 1.0 / 120.0}) {
+        const auto end = [&](Ground ground) {
+          RunSetup s = at_the_foot(ground, slope, 1.0, -0.25);
+          s.scene.materials[0] = {"default", restitution, 0.0, 0.3, 0.3};
+          s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, h};
+          Simulation run(s);
+          run.advance_to(0.3, [] {});
+          EXPECT_LT(std::abs(run.ledger().penetration_correction), 1e-9);
+          return Eigen::Vector3d(run.state().q.rightCols<1>());
+        };
+        EXPECT_LT((end(Ground::kCompound) - end(Ground::kHalfPlanes)).norm(), 1e-5)
+            << restitution << ' ' << slope << ' ' << h;
+      }
+    }
+  }
+}
+
+// The two wheels of a smooth cart go over the end of a table one after the other, without an impact.
+TEST(Kinks, AWheeledCartRunsDown) {
+  for (const auto& [slope, speed] : {std::pair(0.03, 0.6), std::pair(0.0873, 0.6), std::pair(0.17, 0.4)}) {
+    const Vec2 down(std::cos(slope), -std::sin(slope));
+    for (const double h : {1.0 / 60.0, 1.0 / 120.0}) {
+      Body cart = test::box("cart", {-0.2, 0.0}, {speed, 0.0}, 0.3, 0.15);
+      const Compound parts{{{Disc{0.05}, {-0.12, -0.05}, 0.0, ""},
+                            {Disc{0.05}, {0.12, -0.05}, 0.0, ""},
+                            {Box{0.3, 0.15}, {0.0, 0.025}, 0.0, ""}}};
+      cart.shape = parts;
+      cart.position.y() = 0.1 + centre_of(parts).y();
+      cart.inertia = 0.01;
+      RunSetup s =
+          test::setup_with({test::wall("table", {-2.0, -0.25}, 4.0, 0.5),
+                            test::wall("ramp", 1.5 * down - 0.15 * crossed(down), 3.0, 0.3, -slope), cart},
+                           0.0, 0.0);
+      s.scene.forces.gravity = {0.0, -kG};
+      s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, h};
+      Simulation run(s);
+      run.advance_to(0.5, [] {});
+      EXPECT_EQ(run.impact_count(), 0) << slope << ' ' << h;
+      EXPECT_NEAR(run.totals().energy(), run.ledger().initial, 1e-7) << slope << ' ' << h;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -255,6 +257,31 @@ TEST(OverTheEdge, APlankOnTwoPosts) {
   for (const double step : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0}) {
     EXPECT_LT((at_the_end(step) - fine).norm(), within + 2e-8) << step;
     within /= 16.0;
+  }
+}
+
+// Two smooth boxes that slide together over the edge: the rear corner of the first one comes to it at the
+// moment at which the front corner of the second one does, which pushes the first one on until then. The spins
+// with which it leaves are those of its equation of motion about the corner, for 1 and 2 m/s.
+TEST(OverTheEdge, TwoBoxesTogether) {
+  for (const auto& [speed, until, spin] :
+       {std::tuple(1.0, 0.29, -2.237708356), std::tuple(2.0, 0.16, -1.067918465)}) {
+    for (const bool swapped : {false, true}) {
+      for (const auto& [step, within] :
+           {std::pair(1.0 / 60.0, 3e-4), std::pair(0.01, 3e-5), std::pair(0.004, 3e-6)}) {
+        std::vector<Body> bodies = {test::box("first", {-0.15, 0.1}, {speed, 0.0}, 0.2, 0.2, 1.0),
+                                    test::box("second", {-0.35, 0.1}, {speed, 0.0}, 0.2, 0.2, 2.0),
+                                    test::wall("table", {-2.0, -0.25}, 4.0, 0.5)};
+        if (swapped) std::reverse(bodies.begin(), bodies.end());
+        const int first = swapped ? 2 : 0;
+        RunSetup s = test::setup_with(std::move(bodies), 0.0, 0.0);
+        s.scene.forces.gravity = {0.0, -kG};
+        s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+        Simulation run(s);
+        run.advance_to(until, [] {});
+        EXPECT_NEAR(run.state().v(2, first), spin, within) << speed << ' ' << swapped << ' ' << step;
+      }
+    }
   }
 }
 

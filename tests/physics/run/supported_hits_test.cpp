@@ -158,5 +158,46 @@ TEST(SupportedHits, AKerbTurnsABoxWithoutLoss) {
   }
 }
 
+// A rolling ball hits a box that rests, with friction and without rebound: it is the same impact where it falls
+// on the end of a step, in the middle of one, and anywhere else.
+TEST(SupportedHits, AHitAtTheEndOfAStepIsTheSame) {
+  const auto after = [](double radius, double step) {
+    Body ball = test::disc("ball", {-0.2 - radius, radius}, {1.5, 0.0}, radius, 0.5);
+    ball.spin = -1.5 / radius;
+    RunSetup s = test::setup_with({test::wall("floor", {0.0, -0.25}, 4.0, 0.5), ball,
+                                   test::box("box", {0.0, 0.1}, {0.0, 0.0}, 0.2, 0.2, 1.0)},
+                                  0.0, 0.5);
+    s.scene.forces.gravity = {0.0, -9.81};
+    s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+    Simulation run(s);
+    run.advance_to(0.12, [] {});
+    return Eigen::Vector3d(run.state().v(0, 1), run.state().v(1, 1), run.state().v(0, 2));
+  };
+  for (const double radius : {0.05, 0.1}) {
+    const Eigen::Vector3d expected = after(radius, 0.00067);
+    for (const double step : {1.0 / 60.0, 1.0 / 75.0, 1.0 / 97.0, 1.0 / 15.0 / 4.5, 0.004})
+      EXPECT_LT((after(radius, step) - expected).norm(), 1e-4) << radius << ' ' << step;
+  }
+}
+
+// Two boxes that touch along all of their sides come back from a wall one after the other.
+TEST(SupportedHits, TwoBoxesComeBackFromAWall) {
+  for (const double step : {1.0 / 60.0, 0.01, 1.0 / 3000.0, 1.0 / 4000.0}) {
+    RunSetup s =
+        test::setup_with({test::wall("floor", {0.0, -0.25}, 8.0, 0.5), test::wall("wall", {0.3, 0.5}, 0.2, 1.0),
+                          test::box("front", {-0.05, 0.1}, {1.0, 0.0}, 0.3, 0.2, 1.0),
+                          test::box("rear", {-0.3, 0.1}, {1.0, 0.0}, 0.2, 0.2, 1.0)},
+                         1.0);
+    s.scene.forces.gravity = {0.0, -9.81};
+    s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+    Simulation run(s);
+    run.advance_to(0.3, [] {});
+    for (const int i : {2, 3}) {
+      EXPECT_NEAR(run.state().v(0, i), -1.0, 1e-9) << i << ' ' << step;
+      EXPECT_NEAR(run.state().v(2, i), 0.0, 1e-9) << i << ' ' << step;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom

@@ -94,5 +94,39 @@ TEST(TiledTables, AreOneTable) {
   }
 }
 
+// What lands turned over a seam lands as on one table.
+TEST(TiledTables, ABoxLandsAsOnOneTable) {
+  for (const double angle : {0.05, 0.3, 0.7}) {
+    for (const double friction : {0.0, 0.3}) {
+      for (const double restitution : {0.0, 0.3}) {
+        for (const double start : {0.02, -0.07}) {
+          for (const double step : {1.0 / 60.0, 1.0 / 120.0}) {
+            const auto landed_on = [&](std::vector<Body> bodies) {
+              const double lowest = 0.15 * std::sin(angle) + 0.1 * std::cos(angle);
+              Body box = test::box("box", {start, lowest + 0.05}, {0.0, 0.0}, 0.3, 0.2);
+              box.angle = angle;
+              bodies.push_back(box);
+              RunSetup s = test::setup_with(std::move(bodies), restitution, friction);
+              s.scene.forces.gravity = {0.0, -kG};
+              s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+              Simulation run(s);
+              run.advance_to(0.35, [] {});
+              Eigen::Matrix<double, 6, 1> end;
+              end << run.state().q.rightCols<1>(), run.state().v.rightCols<1>();
+              return end;
+            };
+            const auto on_one = landed_on({test::wall("table", {0.0, -0.25}, 8.0, 0.5)});
+            const auto on_two = landed_on(
+                {test::wall("left", {-2.0, -0.25}, 4.0, 0.5), test::wall("right", {2.0, -0.25}, 4.0, 0.5)});
+            EXPECT_LT((on_two - on_one).norm(), 1e-5)
+                << angle << " rad, e = " << restitution << ", mu = " << friction << ", " << start
+                << ", h = " << step;
+          }
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom
