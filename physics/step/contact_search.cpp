@@ -172,6 +172,11 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
   return {NextContact::kImpact, start + *after};
 }
 
+// Whether they touch, or nearly do: what comes to slide along a face that is flush with it is so from then on.
+bool is_flush(const World& world, BodyIndex a, BodyIndex b, double gap) {
+  return std::abs(gap) <= kTogether * (world.shapes().size[a] + world.shapes().size[b]);
+}
+
 }  // namespace
 
 NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, BodyIndex b,
@@ -250,7 +255,8 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
   const Bend bend = bend_of(trajectories, a, b, bound, parabolic && !bent && bound == path_bound);
   const Paid paid(pair, trajectories, world.has_moving_corners(a, b), bend, world.work, limit);
   const auto time = first_contact(paid, start, first, end, last, bound, tolerance, limit);
-  if (limit.reached && !resting) world.note(&Notices::search_cut_since, trajectories.epoch() + start, {a, b});
+  if (limit.reached && !resting && !is_flush(world, a, b, last.gap))
+    world.note(&Notices::search_cut_since, trajectories.epoch() + start, {a, b});
   if (!time) return {};
   if (resting && waits(*time)) return {};
   return {NextContact::kImpact, *time};
