@@ -213,9 +213,15 @@ bool GaussIsland::is_needed(const GaussStep& step) const {
     const double full = friction_of(step, c) * found.normal_impulse[c.contact];
     return std::abs(found.tangential_impulse[c.contact] + c.slips * full) > kFull * full;
   };
+  // Constant ones keep the order of velocity Verlet, and angular momentum to rounding, between discs that don't
+  // rub: there is no corner and no end of a face to find the moment of.
   const auto may_rub = [&](const GaussContact& c) { return rubs(step, c) && (c.presses || closes(step, c)); };
+  const auto has_corners = [&](const GaussContact& c) {
+    return !step.world.shapes().is_disc(c.a) || !step.world.shapes().is_disc(c.b);
+  };
   if (choice_of(kIntegrators, step.world.method.integrator).order == 2 &&
-      std::none_of(closed_.begin(), closed_.end(), may_rub))
+      std::none_of(closed_.begin(), closed_.end(),
+                   [&](const GaussContact& c) { return may_rub(c) || has_corners(c); }))
     return false;
   if (off(step, kLeft) > kNeeded) return true;
   const auto turns = [&](BodyIndex body) {

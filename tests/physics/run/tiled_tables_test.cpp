@@ -36,6 +36,8 @@ std::vector<Mover> movers() {
        0.5},
       {"body on two discs", Compound{{{Disc{0.05}, {-0.1, 0.0}, 0.0, ""}, {Disc{0.05}, {0.1, 0.0}, 0.0, ""}}},
        0.05, 0.0, 1.6, 0.0},
+      {"hexagon", Polygon{{{-0.1, -0.1}, {0.1, -0.1}, {0.2, 0.0}, {0.1, 0.1}, {-0.1, 0.1}, {-0.2, 0.0}}}, 0.1,
+       0.0, 1.5, 0.0},
       {"box of triangles", Compound{{{lower, lower_at, 0.0, ""}, {upper, -lower_at, 0.0, ""}}}, 0.1, 0.0, 2.0,
        0.0},
   };
@@ -44,7 +46,8 @@ std::vector<Mover> movers() {
 enum class Table { kOne, kTiles, kDrivenTiles };
 
 // The position, the angle and the velocities of a mover once it has left the table, in the table's frame.
-Eigen::Matrix<double, 6, 1> beyond(const Mover& mover, Table table, double start, double step) {
+Eigen::Matrix<double, 6, 1> beyond(const Mover& mover, Table table, double start, double step,
+                                   IntegratorId integrator = IntegratorId::kRk4) {
   const Vec2 drive = table == Table::kDrivenTiles ? Vec2(1.0, 0.2) : Vec2::Zero();
   std::vector<Body> bodies;
   if (table == Table::kOne) {
@@ -67,7 +70,7 @@ Eigen::Matrix<double, 6, 1> beyond(const Mover& mover, Table table, double start
   bodies.push_back(body);
   RunSetup s = test::setup_with(std::move(bodies), 0.0, mover.friction);
   s.scene.forces.gravity = {0.0, -kG};
-  s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+  s.method = {integrator, ImpactsId::kLocated, ContactsId::kLasting, step};
   Simulation run(s);
   const double until = -start / mover.speed + 0.25;
   run.advance_to(until, [] {});
@@ -86,8 +89,11 @@ TEST(TiledTables, AreOneTable) {
       for (const auto& [step, within] :
            {std::pair(1.0 / 60.0, 1e-4), std::pair(0.008, 1e-5), std::pair(0.004, 1e-6)}) {
         for (const Table table : {Table::kOne, Table::kTiles, Table::kDrivenTiles}) {
-          EXPECT_LT((beyond(mover, table, start, step) - expected).norm(), within)
-              << mover.name << " from " << start << ", h = " << step << ", table " << static_cast<int>(table);
+          for (const IntegratorId integrator : {IntegratorId::kRk4, IntegratorId::kVelocityVerlet}) {
+            EXPECT_LT((beyond(mover, table, start, step, integrator) - expected).norm(), within)
+                << mover.name << " from " << start << ", h = " << step << ", table " << static_cast<int>(table)
+                << ", " << static_cast<int>(integrator);
+          }
         }
       }
     }
