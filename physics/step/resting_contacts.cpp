@@ -369,7 +369,9 @@ bool RestingContacts::is_disturbed(const World& world, BodyIndex a, BodyIndex b)
     return std::any_of(found_.landings.begin(), found_.landings.end(),
                        [i](const Landing& landing) { return landing.a == i || landing.b == i; });
   };
-  const auto is_off = [&](BodyIndex i) { return pushes(i) || (!world.is_immovable(i) && lands(i)); };
+  const auto is_off = [&](BodyIndex i) {
+    return pushes(i) || (moves_few(world) && !world.is_immovable(i) && lands(i));
+  };
   return is_few() && (is_off(a) || is_off(b));
 }
 

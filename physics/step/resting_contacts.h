@@ -69,8 +69,8 @@ class RestingContacts {
   // Of these pairs, those that penetrate at the step's end and close faster than a contact may rest rebound
   // by the law of impacts.
   void rebound_at_end(World& world, const std::vector<BodyPair>& pairs) const;
-  // Whether an impact of these bodies changes the contact forces or the time of a landing, in a scene with few:
-  // they are found again then.
+  // Whether an impact of these bodies changes the contact forces, in a scene with few, or the time of a
+  // landing, where few move: they are found again then.
   [[nodiscard]] bool is_disturbed(const World& world, BodyIndex a, BodyIndex b) const;
   // Takes all contact forces off the trajectories and forgets the contacts.
   void release(World& world);
