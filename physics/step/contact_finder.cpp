@@ -128,6 +128,10 @@ void FoundContacts::clear() {
   hits.clear();
 }
 
+double landing_speed(const World& world, const SurfaceLaw& law, double closing) {
+  return moves_few(world) && !is_of_clay(law) ? closing : impact_speed(law, closing);
+}
+
 void ContactFinder::begin_part(const World& world, std::span<const ContactForce> forces) {
   kept_.clear();
   presses_.assign(forces.empty() ? 0 : static_cast<std::size_t>(world.bodies()), 0);
@@ -269,7 +273,6 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   // Discs have no other corner that stays; in a jam they would bounce on for ever.
   const bool cornered = !world.shapes().is_disc(a) && !world.shapes().is_disc(b);
   const bool few = moves_few(world);
-  const bool meets = few && !is_of_clay(material);
   const bool euler_in_time = located && world.method.integrator == IntegratorId::kExplicitEuler &&
                              forces.size() <= static_cast<std::size_t>(kFewContactsOfScene);
   const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
@@ -304,9 +307,8 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const bool begins_later = follows ? outside && (comes_later || (bounces && closing < -rest)) && !kept
                                       : euler_in_time && comes_later;
     const bool touches = follows && !open && outside;
-    // Where few move what has not pressed before meets by an impact, also without rebound; not if nothing rubs
-    // there, as then the forces of all contacts stop it at once.
-    const bool lands_now = touches && !kept && (!slow || (meets && !pressed_before && closing > rest));
+    const bool lands_now =
+        touches && !kept && (!slow || (!pressed_before && landing_speed(world, material, closing) > rest));
     // The event queue knows no pair that the error of the forces that held it has left inside.
     if (touches && at.gap < -rounding) support(a, b, parts, rest);
     if (!near || begins_later || lands_now || (located && !slow && at.gap >= -rounding)) {

@@ -9,7 +9,6 @@
 #include "physics/step/apply_impact.h"
 #include "physics/step/coming_to_rest.h"
 #include "physics/step/contact_patch.h"
-#include "physics/step/impact_cluster.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
 #include "physics/step/resting_contacts.h"
@@ -130,9 +129,8 @@ std::optional<Contact> RestingContacts::hit_now(const World& world, const Landin
   const SurfaceLaw& material = world.material(contact, a, b);
   const double rest = rest_speed(world, a, b, contact.point, contact.normal, material.restitution);
   const double parting = world.parting_speed(a, b, contact);
-  const bool meets = moves_few(world) && !is_of_clay(material);
-  const double hits = meets ? -parting : impact_speed(material, -parting);
-  if (!(hits > rest) || passes_by(world, a, b, {contact, parting})) return std::nullopt;
+  if (!(landing_speed(world, material, -parting) > rest) || passes_by(world, a, b, {contact, parting}))
+    return std::nullopt;
   return contact;
 }
 
