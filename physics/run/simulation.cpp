@@ -249,7 +249,7 @@ void Simulation::make_step(double h) {
   if (resting != nullptr) {
     resting->begin_step(parts_->world, h);
     // Without it, a step's parts are supported one by one.
-    if (parts_->world.method.impacts == ImpactsId::kLocated) resting->support(parts_->world, h, true);
+    if (parts_->world.method.impacts == ImpactsId::kLocated) resting->support(parts_->world, h, true, false);
   }
   std::visit([&](auto& impacts) { impacts.step(parts_->world, resting, h); }, parts_->impacts);
   settle_contact_forces(parts_->world.trajectories, parts_->world.bodies());

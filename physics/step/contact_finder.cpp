@@ -18,8 +18,6 @@ namespace {
 
 // Relative to the size and the coordinates: a smaller gap is rounding.
 constexpr double kRounding = 1e-12;
-// Of the smaller body: no deeper has a contact come that forces hold, by their error.
-constexpr double kHeldInside = 1e-5;
 // Relative to the size: a body that moves farther in a step may push others as fast.
 constexpr double kFast = 0.02;
 // So many bodies in a row may be pushed within a step.
@@ -278,6 +276,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
   const double slip = kStuck * step.pressing.change_by_forces() + step.pressing.noise();
   const double size = world.shapes().size[a] + world.shapes().size[b];
+  const double held = held_gap(world, a, b);
   bool hits_now = false;
   for (int k = 0; k < m.count; ++k) {
     const ManifoldPoint& at = m.points[k];
@@ -289,9 +288,10 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const double press = step.pressing.between(world, step.memory, a, b, at.point, m.normal);
     const double rest = step.pressing.rest_speed(world, press, material.restitution);
     const bool kept = is_kept(a, b, at.id);
-    const bool open = at.gap > rounding;
     const std::optional<std::size_t> before = force_before(world, forces, last, a, b, m, at);
     const bool pressed_before = before && step.memory.support[*before][0] > 0.0;
+    const bool follows = step.pressing.follows_bounces();
+    const bool open = at.gap > (follows && pressed_before ? std::max(held, rounding) : rounding);
     // Explicit Euler leaves a gap where what a body rests on turns away, and closes it within the next step.
     const double follows_on = euler_in_time && pressed_before && open ? at.gap / step.length : 0.0;
     // With impacts at their own time fast ones are left to the event queue.
@@ -300,8 +300,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const double pressed = std::max(rest, by_forces);
     const bool near = !located || !open ||
                       (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= 2.0 * pressed);
-    const bool follows = step.pressing.follows_bounces();
-    const bool outside = at.gap > -kHeldInside * smaller_size(world, a, b);
+    const bool outside = at.gap > -held;
     const bool comes_later = !pressed_before && at.gap > kFlush * size;
     const bool bounces = cornered || (few && !pressed_before);
     const bool begins_later = follows ? outside && (comes_later || (bounces && closing < -rest)) && !kept

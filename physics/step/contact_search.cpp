@@ -179,6 +179,12 @@ bool is_flush(const World& world, BodyIndex a, BodyIndex b, double gap) {
 
 }  // namespace
 
+double closed_gap(const World& world, const RestingContacts* resting, BodyIndex a, BodyIndex b,
+                  double rounding) {
+  if (resting == nullptr || !resting->holds(std::min(a, b), std::max(a, b))) return rounding;
+  return std::max(rounding, held_gap(world, a, b));
+}
+
 NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, BodyIndex b,
                          const ShapePair& parts) {
   Trajectories& trajectories = world.trajectories;
@@ -216,7 +222,7 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
   };
   double start = begin;
   TurningSample first = pair(start);
-  if (first.gap <= tolerance) {
+  if (first.gap <= tolerance || first.gap <= closed_gap(world, rules.resting, a, b, tolerance)) {
     const Twist twist_a = paths.twist(a, begin);
     const Twist twist_b = paths.twist(b, begin);
     const Eigen::Vector3d place_a = paths.at(a, begin);

@@ -32,6 +32,11 @@ struct SearchRules {
   }
 };
 
+// m: a pair touches if its gap is no larger: within rounding or, where contact forces hold it, within
+// their error in the middle of a step.
+[[nodiscard]] double closed_gap(const World& world, const RestingContacts* resting, BodyIndex a, BodyIndex b,
+                                double rounding);
+
 // Finds the first contact of bodies a < b, which can collide, on their trajectories. The cost is taken from
 // the step's budget; a search that is given up is reported by a notice.
 [[nodiscard]] NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, BodyIndex b,

@@ -197,7 +197,7 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
     if (landing && landing->time == 0.0) {
       resting.land(world, *landing);
       world.publish(0.0);
-      begin_part(step, may_divide(part + 1));
+      begin_part(step, may_divide(part + 1), true);
       continue;
     }
     search_all(step);
@@ -211,15 +211,15 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
     if (landing) resting.land(world, *landing);
     world.publish(passed);
     step.h = step.horizon = left - passed;
-    begin_part(step, may_divide(part + 1));
+    begin_part(step, may_divide(part + 1), stops || landing);
   }
 }
 
 // Supports what is left of the step.
-void EventDrivenImpacts::begin_part(const Step& step, bool may_divide) {
+void EventDrivenImpacts::begin_part(const Step& step, bool may_divide, bool hit) {
   World& world = step.world;
   world.trajectories.begin(world.clock.step_end - step.h);
-  step.resting->support(world, step.h, may_divide);
+  step.resting->support(world, step.h, may_divide, hit);
   choose_cells(world, step.h);
   end_of_step_.clear();
   last_impact_ = -1.0;

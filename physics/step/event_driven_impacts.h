@@ -58,7 +58,7 @@ class EventDrivenImpacts {
 
   [[nodiscard]] static bool trajectories_run_on(const World& world, const RestingContacts* resting);
   double process_with_supports(Step& step);
-  void begin_part(const Step& step, bool may_divide);
+  void begin_part(const Step& step, bool may_divide, bool hit);
   // Resolves events up to `target` (s after the epoch), except the landing `awaited` there. Returns the time
   // of a support that divides the step; everything before it is done.
   std::optional<double> process_until(const Step& step, double target, const Landing* awaited = nullptr);
@@ -79,14 +79,14 @@ class EventDrivenImpacts {
   // Adds to moment_ what closes at the end of all trajectories, behind which nothing is scheduled, if contacts
   // connect it with this impact.
   void add_unscheduled(const Step& step, const Event& first);
-  bool find_of_clay(World& world, BodyIndex a, BodyIndex b, double time);
+  bool find_of_clay(const Step& step, BodyIndex a, BodyIndex b, double time);
   void find_due(const Step& step, BodyIndex a, BodyIndex b, double time);
   [[nodiscard]] static double end_of_moment(const Step& step, const Event& impact, double time);
   // s after the epoch: until when impacts are at the moment that has disturbed supports; infinite without one.
   [[nodiscard]] double end_of_disturbed(const Step& step) const;
   // Fills cluster_ with the touches of all bodies in contact with a or b, directly or through others.
-  void find_touching(World& world, BodyIndex a, BodyIndex b, double time, double tolerances);
-  bool find_touches(World& world, BodyIndex a, BodyIndex b, double time, double tolerances);
+  void find_touching(const Step& step, BodyIndex a, BodyIndex b, double time);
+  bool find_touches(const Step& step, BodyIndex a, BodyIndex b, double time);
   // After an impact with e < 1: decides whether the pair rests from now on or has collapsed; `rests`: all of
   // its bounces were lost at once. Returns the same as resolve().
   bool classify_rebound(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact, bool rests,

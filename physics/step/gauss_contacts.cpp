@@ -120,6 +120,8 @@ void GaussContacts::enter(const GaussStep& step) {
     found.normal[c.contact] = (c.at[0].normal + c.at[1].normal).normalized();
     found.sticks[c.contact] = c.sticks || c.at_limit ? 1 : 0;
     if (c.presses) all_.push_back(c);
+    if (c.comes_back)
+      step.found.landings.push_back({c.a, c.b, step.found.id[static_cast<std::size_t>(c.contact)]});
   }
 }
 

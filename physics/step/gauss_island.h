@@ -75,6 +75,7 @@ struct GaussContact {
   double slips = 0.0;       // σ, if it presses, rubs and does not stick
   bool at_limit = false;    // not sticking, static friction is full, and others may hold it still
   bool broke_away = false;  // at the start, from static friction
+  bool comes_back = false;  // it opens now and closes later within the step
   double stays_open = 0.0;  // m: the gap that it is to have at the end
   double breaks_at = 0.0;   // s, if above 0: when it breaks away
   double breaks_to = 0.0;   // σ from then on

@@ -84,6 +84,23 @@ double slip_ends(const GaussStep& step, const GaussContact& c, double wrong) {
   return bracketed_root(slip, 0.0, c.slips * c.start.slip, wrong, slip(wrong));
 }
 
+// Whether a contact that does not press closes from the start on.
+bool begins_to_close(const GaussStep& step, const GaussContact& c, double rounding) {
+  if (std::abs(c.start.parting) > step.tolerance) return false;
+  const std::array<double, 3> gaps{c.at[0].gap, c.halfway.gap, c.at[1].gap};
+  const auto opened = [&](std::size_t i) {
+    return gaps[i] - c.start.gap - kTimes[i] * step.h * c.start.parting;
+  };
+  return beginning({opened(0), opened(1), opened(2)}, 2) < -kBegins * rounding;
+}
+
+// Whether one that closes opens first: it comes back as a landing.
+bool comes_back(const GaussStep& step, const GaussContact& c) {
+  const double rounding = closed_within(step, c.a, c.b, c.at[0].point);
+  return step.is_of_few() && step.least < step.h && c.at[0].gap > c.start.gap + kSeen * rounding &&
+         !begins_to_close(step, c, rounding);
+}
+
 // N
 double largest_force(const GaussIsland& island) {
   double largest = 0.0;
@@ -134,11 +151,7 @@ bool closes(const GaussStep& step, const GaussContact& c, double off) {
   const std::array<double, 3> gaps{c.at[0].gap, c.halfway.gap, c.at[1].gap};
   const double least = std::min(c.end.gap, *std::min_element(gaps.begin(), gaps.end()));
   if (least < std::min(c.start.gap, 0.0) - kSeen * rounding) return true;
-  if (std::abs(c.start.parting) > step.tolerance) return false;
-  const auto opened = [&](std::size_t i) {
-    return gaps[i] - c.start.gap - kTimes[i] * step.h * c.start.parting;
-  };
-  return beginning({opened(0), opened(1), opened(2)}, 2) < -kBegins * rounding;
+  return begins_to_close(step, c, rounding);
 }
 
 bool change_modes(const GaussStep& step, GaussIsland& island, double& ends) {
@@ -159,7 +172,12 @@ bool change_modes(const GaussStep& step, GaussIsland& island, double& ends) {
   }
   for (GaussContact& c : island.closed()) {
     if (!c.presses) {
-      enter(closes(step, c, c.spared ? gaps_on_the_way(island) : 0.0) ? 0.0 : 1.0, [&] { c.presses = true; });
+      const bool meets = closes(step, c, c.spared ? gaps_on_the_way(island) : 0.0);
+      c.comes_back = meets && comes_back(step, c);
+      if (meets && !c.comes_back) {
+        c.presses = true;
+        changed = true;
+      }
       continue;
     }
     const double first = c.at[0].normal_force;
@@ -201,9 +219,10 @@ bool stay_open(const GaussStep& step, const GaussIsland& island) {
   const Contacts& found = step.found.contacts;
   const std::vector<GaussContact>& closed = island.closed();
   return std::none_of(island.contacts().begin(), island.contacts().end(), [&](int i) {
-    const bool presses = std::any_of(closed.begin(), closed.end(),
-                                     [&](const GaussContact& c) { return c.contact == i && c.presses; });
-    if (presses) return false;
+    const bool may_close = std::any_of(closed.begin(), closed.end(), [&](const GaussContact& c) {
+      return c.contact == i && (c.presses || c.comes_back);
+    });
+    if (may_close) return false;
     Contact contact;
     RowVelocity velocity;
     if (!find_contact(step.world, found.a[i], island.at_end(found.a[i]), found.b[i], island.at_end(found.b[i]),

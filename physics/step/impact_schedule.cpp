@@ -222,7 +222,7 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
     const ShapePair parts{part_a, part_b};
     const Approach at =
         approach_of(shapes, a, of_a.head<3>(), twist_a, b, of_b.head<3>(), twist_b, tolerance, parts);
-    if (at.contact.gap > tolerance || !(at.speed < fastest)) return;
+    if (at.contact.gap > closed_gap(world, step.resting, a, b, tolerance) || !(at.speed < fastest)) return;
     const bool rests = a < b ? rules.rests(a, b, parts) : rules.rests(b, a, {part_b, part_a});
     if (rests && -at.speed <= pressed_in(world, a, b, step.h)) return;
     if (!is_bare(at.contact, parts, tolerance)) return;

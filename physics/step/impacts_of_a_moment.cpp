@@ -49,7 +49,8 @@ Motion motion_at(Trajectories& trajectories, BodyIndex body, double time) {
 
 // Puts the contacts of two bodies at `time` on the list, if they touch; near_ are the bodies near one of them.
 // Whether they do.
-bool EventDrivenImpacts::find_touches(World& world, BodyIndex a, BodyIndex b, double time, double tolerances) {
+bool EventDrivenImpacts::find_touches(const Step& step, BodyIndex a, BodyIndex b, double time) {
+  World& world = step.world;
   Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
   if (a > b) std::swap(a, b);
@@ -58,7 +59,7 @@ bool EventDrivenImpacts::find_touches(World& world, BodyIndex a, BodyIndex b, do
   const Motion of_b = motion_at(trajectories, b, time);
   const Eigen::Vector3d qa = of_a.head<3>();
   const Eigen::Vector3d qb = of_b.head<3>();
-  const double tolerance = tolerances * touch_tolerance(world, a, b);
+  const double tolerance = closed_gap(world, step.resting, a, b, kRoundings * touch_tolerance(world, a, b));
   if (!may_be_continued(world, a, b)) {
     const Contact contact = contact_between(shapes, a, qa, b, qb);
     if (contact.gap <= tolerance) cluster_.add(a, b, contact);
@@ -96,7 +97,8 @@ bool EventDrivenImpacts::find_touches(World& world, BodyIndex a, BodyIndex b, do
 }
 
 // Outwards from the pair, over bodies that move.
-void EventDrivenImpacts::find_touching(World& world, BodyIndex a, BodyIndex b, double time, double tolerances) {
+void EventDrivenImpacts::find_touching(const Step& step, BodyIndex a, BodyIndex b, double time) {
+  const World& world = step.world;
   cluster_.clear();
   reached_.assign({a, b});
   for (std::size_t k = 0; k < reached_.size(); ++k) {
@@ -108,8 +110,7 @@ void EventDrivenImpacts::find_touching(World& world, BodyIndex a, BodyIndex b, d
       const auto known = std::find(reached_.begin(), reached_.end(), other);
       // Pairs of which the other one has been looked at are there already.
       if (known < reached_.begin() + static_cast<std::ptrdiff_t>(k) && !world.infinite_mass(other)) continue;
-      if (find_touches(world, body, other, time, tolerances) && known == reached_.end())
-        reached_.push_back(other);
+      if (find_touches(step, body, other, time) && known == reached_.end()) reached_.push_back(other);
     }
   }
 }
@@ -142,7 +143,7 @@ void EventDrivenImpacts::find_moment(const Step& step) {
 
 void EventDrivenImpacts::add_unscheduled(const Step& step, const Event& first) {
   World& world = step.world;
-  find_touching(world, first.a, first.b, first.time, kRoundings);
+  find_touching(step, first.a, first.b, first.time);
   cluster_.keep_closing([&](BodyIndex i) { return motion_at(world.trajectories, i, first.time); });
   for (const ImpactCluster::Touch& touch : cluster_.touches()) {
     const bool is_known = std::any_of(moment_.begin(), moment_.end(), [&](const Event& event) {
@@ -191,12 +192,13 @@ void EventDrivenImpacts::find_closing(const Step& step, BodyIndex a, BodyIndex b
 // other they lead to the projection onto those that keep all pairs apart (J. von Neumann, Functional Operators
 // II, 1950), which is what they do at once. Fills cluster_ with the touches of this kind that are connected
 // with the pair; false if there are no several, or too many.
-bool EventDrivenImpacts::find_of_clay(World& world, BodyIndex a, BodyIndex b, double time) {
+bool EventDrivenImpacts::find_of_clay(const Step& step, BodyIndex a, BodyIndex b, double time) {
+  World& world = step.world;
   const auto of_clay = [&world](const Contact& contact, BodyIndex c, BodyIndex d) {
     return is_of_clay(world.material(contact, c, d));
   };
   if (at_once_work_ > kMostWork || !of_clay({}, a, b)) return false;
-  find_touching(world, a, b, time, kRoundings);
+  find_touching(step, a, b, time);
   cluster_.keep_connected_of(world, a, b, of_clay);
   return cluster_.touches().size() <= kMostTogether && cluster_.has_several(world);
 }
@@ -219,7 +221,7 @@ void EventDrivenImpacts::find_due(const Step& step, BodyIndex a, BodyIndex b, do
     near_.clear();
     if (may_be_continued(world, c, d))
       grid_.each_near(world.infinite_mass(c) ? d : c, [&](BodyIndex other) { near_.push_back(other); });
-    find_touches(world, c, d, time, kRoundings);
+    find_touches(step, c, d, time);
   }
 }
 
@@ -229,13 +231,13 @@ std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, BodyIn
   Trajectories& trajectories = world.trajectories;
   const bool all = takes_touches(world);
   if (all) {
-    find_touching(world, a, b, time, kRoundings);
+    find_touching(step, a, b, time);
     if (!cluster_.has_law(world)) {
       if (cluster_.has_several(world))
         world.note(&Notices::order_decided_since, world.trajectories.epoch() + time, {a, b});
       cluster_.clear();
     }
-  } else if (!find_of_clay(world, a, b, time)) {
+  } else if (!find_of_clay(step, a, b, time)) {
     find_closing(step, a, b, time);
   }
   const ImpactCluster::Touch* only = cluster_.only_one_left();

@@ -15,6 +15,8 @@ namespace carom {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+// Relative to the smaller body.
+constexpr double kHeld = 1e-5;
 
 }  // namespace
 
@@ -45,6 +47,8 @@ double touch_tolerance(const World& world, BodyIndex a, BodyIndex b, double dura
   }
   return 16.0 * kEpsilon * (reach + speeds * time);
 }
+
+double held_gap(const World& world, BodyIndex a, BodyIndex b) { return kHeld * smaller_size(world, a, b); }
 
 double gap_in_flight(World& world, BodyIndex a, BodyIndex b, const ShapePair& parts, double within) {
   const auto pose = [&](BodyIndex i) { return world.shapes().pose(i, world.trajectories.place(i, within)); };

@@ -19,6 +19,8 @@ inline constexpr double kTogether = 1e-9;
 // motions alone, not on when the epoch began: a saved run that continues decides as the run that was not
 // interrupted.
 [[nodiscard]] double touch_tolerance(const World& world, BodyIndex a, BodyIndex b, double duration = 0.0);
+// m: no more has a contact opened or closed that forces hold, by their error within a step.
+[[nodiscard]] double held_gap(const World& world, BodyIndex a, BodyIndex b);
 // m: how far apart two parts of the pair are, on their trajectories `within` s after the epoch.
 [[nodiscard]] double gap_in_flight(World& world, BodyIndex a, BodyIndex b, const ShapePair& parts,
                                    double within);

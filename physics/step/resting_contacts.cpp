@@ -93,8 +93,9 @@ void RestingContacts::take_off_forces(World& world) {
   world.trajectories.end_contact_rates();
 }
 
-void RestingContacts::support(World& world, double h, bool may_divide) {
+void RestingContacts::support(World& world, double h, bool may_divide, bool hit) {
   may_divide_ = may_divide;
+  hit_ = hit;
   finder_.begin_part(world, may_divide ? std::span<const ContactForce>() : memory_.forces);
   support_found(world, h);
   for (int k = 0; may_divide && k < kMostSinking && keep_what_sinks(world); ++k) support_found(world, h);
@@ -359,6 +360,16 @@ void RestingContacts::record_forces(World& world, double passed, double share) {
   record_support(world, found_, linear_, share, moved_, passed, flight_);
   linear_.record(world, passed);
   carry_forces(world, passed, finder_.neighbours(), memory_);
+}
+
+bool RestingContacts::holds(BodyIndex a, BodyIndex b) const {
+  if (!pressing_.follows_bounces()) return false;
+  const auto before = [](const ContactForce& f, const BodyPair& pair) { return std::pair(f.a, f.b) < pair; };
+  auto force = std::lower_bound(memory_.forces.begin(), memory_.forces.end(), std::pair(a, b), before);
+  for (; force != memory_.forces.end() && force->a == a && force->b == b; ++force) {
+    if (force->normal_force > 0.0) return true;
+  }
+  return false;
 }
 
 bool RestingContacts::is_disturbed(const World& world, BodyIndex a, BodyIndex b) const {

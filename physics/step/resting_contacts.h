@@ -47,7 +47,8 @@ class RestingContacts {
   // Supports bodies for h s from the trajectories' epoch on; with may_divide for less, where before that a disc
   // or corner runs off the end of a face (face_ends.h), a contact changes its mode (gauss_contacts.h) or a
   // force its law. Without it, as support_part() does. The state must be published.
-  void support(World& world, double h, bool may_divide);
+  // `hit`: bodies have been hit or have landed at the start.
+  void support(World& world, double h, bool may_divide, bool hit);
   // s: for how long support() was.
   [[nodiscard]] double supported() const { return supported_; }
   // Where few bodies move, ends the part at this time (s after the epoch) if forces are linear in it: they keep
@@ -77,6 +78,8 @@ class RestingContacts {
   // After a step that was given up.
   void forget_forces() { memory_ = {}; }
 
+  // Whether contact forces press the pair a < b together in this part of a step, in which bounces are followed.
+  [[nodiscard]] bool holds(BodyIndex a, BodyIndex b) const;
   // m/s: a contact of the pair a < b that rebounds slower than this rests (ContactPressing::rest_speed).
   [[nodiscard]] double rest_speed(const World& world, BodyIndex a, BodyIndex b, const Vec2& point,
                                   const Vec2& normal, double restitution) const;
@@ -125,6 +128,7 @@ class RestingContacts {
   double step_length_ = 0.0;  // s: that, or of the part under way
   ContactMemory memory_;
   bool may_divide_ = false;
+  bool hit_ = false;  // in this part, at its start
   ContactPressing pressing_;
   ContactFinder finder_;
   FoundContacts found_;

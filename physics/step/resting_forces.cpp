@@ -18,6 +18,8 @@ namespace {
 
 // Of what presses a contact in a step: the contact forces end slower approaches of supported contacts.
 constexpr double kGentle = 0.1;
+// Likewise where bodies have been hit.
+constexpr double kGentleHit = 1e-3;
 // Times the tolerance of the velocities: contacts that slip.
 constexpr double kSlips = 4.0;
 // Guesses of the contact forces in a step, until the flight under them has end velocities that are off by at
@@ -159,13 +161,14 @@ void RestingContacts::list_breaking(double still) {
 void RestingContacts::stop_approaches(World& world, double h) {
   Contacts& c = found_.contacts;
   const ContactSolverOptions options = solver_options();
+  const double gentle = hit_ ? kGentleHit : kGentle;
   double worst = 0.0;
   for (int i = 0; i < c.size(); ++i) {
     if (!std::isfinite(c.target[i])) continue;
     c.target[i] = -found_.room(i) / h;
     const double closing = c.target[i] - contact_velocity(c, i, before_).normal;
     const double press = found_.press[static_cast<std::size_t>(i)];
-    if (found_.is_new(i) || closing > kGentle * press * step_length_) worst = std::max(worst, closing);
+    if (found_.is_new(i) || closing > gentle * press * step_length_) worst = std::max(worst, closing);
   }
   after_ = before_;
   if (worst > 2.0 * options.tolerance) {
@@ -184,6 +187,7 @@ void RestingContacts::stop_approaches(World& world, double h) {
       for (BodyIndex i{0}; i < world.bodies(); ++i) {
         if (world.infinite_mass(i) || after_.col(i) == before_.col(i)) continue;
         world.trajectories.set_velocity(i, after_.col(i).head<2>(), after_.col(i)[2]);
+        world.state.v.col(i) = after_.col(i);
       }
       before_ = after_;
     }

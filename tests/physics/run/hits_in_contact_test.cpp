@@ -1,0 +1,91 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <utility>
+#include <vector>
+
+#include "physics/run/simulation.h"
+#include "tests/support/scenes.h"
+
+// What is hit while contacts carry and turn it: in the middle of a step these are open or closed by the error
+// of their forces, and all the same they take part in the hit as at a step's end.
+namespace carom {
+namespace {
+
+RunSetup setup(std::vector<Body> bodies, double restitution, double friction, double step) {
+  RunSetup s = test::setup_with(std::move(bodies), restitution, friction);
+  s.scene.forces.gravity = {0.0, -9.81};
+  s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+  return s;
+}
+
+// A plank on an edge carries a weight at its left and turns to it; a ball falls on its right.
+struct Seesaw {
+  double fall = 0.0;  // m
+  double ball = 0.0;  // kg
+  double restitution = 0.0;
+  double friction = 0.0;
+};
+RunSetup seesaw(const Seesaw& s, double step) {
+  const Polygon pivot{{{-0.1, -0.05}, {0.1, -0.05}, {0.0, 0.1}}};
+  return setup(
+      {test::fixed("pivot", pivot, {0.0, 0.05}), test::box("plank", {0.0, 0.17}, {0.0, 0.0}, 1.2, 0.04),
+       test::box("weight", {-0.5, 0.24}, {0.0, 0.0}, 0.1, 0.1, 0.3),
+       test::disc("ball", {0.5, 0.25 + s.fall}, {0.0, 0.0}, 0.06, s.ball)},
+      s.restitution, s.friction, step);
+}
+
+// A ball that falls beside an upright domino and pushes it over.
+RunSetup domino(double speed, double friction, double step) {
+  return setup(
+      {test::fixed("floor", Wall{}, {0.0, 0.0}), test::box("domino", {0.0, 0.1}, {0.0, 0.0}, 0.03, 0.2),
+       test::disc("ball", {-0.2, 0.18}, {speed, 0.0}, 0.03, 0.5)},
+      0.0, friction, step);
+}
+
+// The largest difference of positions and velocities at this time from those of a fine step.
+template <class SetupOf>
+double off(const SetupOf& setup_of, double time, double step) {
+  const auto end = [&](double h) {
+    Simulation run(setup_of(h));
+    run.advance_to(time);
+    return std::pair(run.state().q, run.state().v);
+  };
+  const auto [q, v] = end(step);
+  const auto [fine_q, fine_v] = end(1.0 / 3840.0);
+  return std::max((q - fine_q).cwiseAbs().maxCoeff(), (v - fine_v).cwiseAbs().maxCoeff());
+}
+
+// s: when it comes.
+double first_impact(const RunSetup& setup) {
+  Simulation run(setup);
+  while (run.impact_count() == 0 && run.time() < 1.0) run.step();
+  return run.time();
+}
+
+TEST(HitsInContact, ASeesawIsHitInTheSameWayAnywhereInAStep) {
+  const Seesaw scenes[] = {
+      {0.2185, 0.336, 0.3, 0.3}, {0.3, 0.5, 0.3, 0.6}, {0.39, 0.465, 0.0, 0.9}, {0.39, 0.465, 0.0, 0.3}};
+  for (const Seesaw& scene : scenes) {
+    const double after = std::ceil(60.0 * first_impact(seesaw(scene, 1.0 / 3840.0))) / 60.0;
+    for (const double step : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0}) {
+      const auto at = [&](double h) { return seesaw(scene, h); };
+      EXPECT_LT(off(at, after, step), 1e-5)
+          << scene.fall << " m, e = " << scene.restitution << ", mu = " << scene.friction << ", h = " << step;
+    }
+  }
+}
+
+// The domino's friction lifts the ball off the floor, onto which it comes back within the step.
+TEST(HitsInContact, WhatLiftsOffMayLandWithinTheStep) {
+  for (const double speed : {0.845, 0.87, 0.9}) {
+    for (const double friction : {0.2, 0.4}) {
+      for (const double step : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0}) {
+        const auto at = [&](double h) { return domino(speed, friction, h); };
+        EXPECT_LT(off(at, 0.28, step), 2e-4) << speed << " m/s, mu = " << friction << ", h = " << step;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom
