@@ -305,15 +305,16 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const bool bounces = cornered || (few && !pressed_before);
     const bool begins_later = follows ? outside && (comes_later || (bounces && closing < -rest)) && !kept
                                       : euler_in_time && comes_later;
-    const bool touches = follows && !open && outside;
-    const bool lands_now =
-        touches && !kept && (!slow || (!pressed_before && landing_speed(world, material, closing) > rest));
+    // Without rebound what is as good as closed lands with all that does at this moment.
+    const bool closed = !open || material.restitution == 0.0;
+    const bool lands =
+        follows && outside && !kept &&
+        ((!open && !slow) || (closed && !pressed_before && landing_speed(world, material, closing) > rest));
     // The event queue knows no pair that the error of the forces that held it has left inside.
-    if (touches && at.gap < -rounding) support(a, b, parts, rest);
-    if (!near || begins_later || lands_now || (located && !slow && at.gap >= -rounding)) {
-      if (begins_later || lands_now || (located && open && closing > rest))
-        found.landings.push_back({a, b, at.id});
-      hits_now |= located && !open && !slow && !lands_now;
+    if (follows && !open && outside && at.gap < -rounding) support(a, b, parts, rest);
+    if (!near || begins_later || lands || (located && !slow && at.gap >= -rounding)) {
+      if (begins_later || lands || (located && open && closing > rest)) found.landings.push_back({a, b, at.id});
+      hits_now |= located && !open && !slow && !lands;
       continue;
     }
     // A fast one that penetrates is projected out and left to the impacts at the step's end.

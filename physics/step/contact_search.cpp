@@ -227,7 +227,7 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
     const Twist twist_b = paths.twist(b, begin);
     const Eigen::Vector3d place_a = paths.at(a, begin);
     const Eigen::Vector3d place_b = paths.at(b, begin);
-    if (resting && waits(begin)) return {};
+    if (resting && (waits(begin) || (rules.lands_first && rules.resting->awaits(a, b)))) return {};
     const Approach now = approach_of(shapes, a, place_a, twist_a, b, place_b, twist_b, tolerance, parts);
     if (now.speed < -rules.closing_share * now.scale) return {NextContact::kImpact, begin};
     if (bound == 0.0) {

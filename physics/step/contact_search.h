@@ -25,6 +25,7 @@ struct SearchRules {
   double closing_share;            // of the bodies' speeds: a smaller closing speed counts as zero
   double from;                     // s after the epoch: earlier contacts don't count
   double until;                    // s after the epoch: nor do later ones
+  bool lands_first;                // a landing ends this part: supported pairs that may land do so by it alone
   [[nodiscard]] bool rests(BodyIndex a, BodyIndex b, const ShapePair& parts) const {
     const bool supported =
         resting != nullptr && resting->finder().supports(a, b, parts) && !resting->finder().is_hit(a, b);

@@ -200,9 +200,11 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
       begin_part(step, may_divide(part + 1), true);
       continue;
     }
+    step.lands_first = landing.has_value();
     search_all(step);
+    step.lands_first = false;
     const std::optional<double> stops =
-        process_until(step, landing ? landing->time : supported, landing ? &landing->landing : nullptr);
+        process_until(step, landing ? landing->time : supported, landing.has_value());
     if (stops) landing.reset();
     const double passed = stops ? *stops : landing ? landing->time : supported;
     resting.record_forces(world, passed, passed / supported);
@@ -227,8 +229,7 @@ void EventDrivenImpacts::begin_part(const Step& step, bool may_divide, bool hit)
   rebuild_all(step);
 }
 
-std::optional<double> EventDrivenImpacts::process_until(const Step& step, double target,
-                                                        const Landing* awaited) {
+std::optional<double> EventDrivenImpacts::process_until(const Step& step, double target, bool awaits_landing) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
   const std::int64_t before_guard =
@@ -256,10 +257,8 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
     }
     world.work.pass(5);
     // It is scheduled here too, and only rounding could say which comes first.
-    if (awaited != nullptr && awaited->a == std::min(next.a, next.b) &&
-        awaited->b == std::max(next.a, next.b) && target - next.time <= kSameTime * step.h) {
+    if (awaits_landing && target - next.time <= kSameTime * step.h && step.resting->awaits(next.a, next.b))
       continue;
-    }
     if (next.b < 0) {
       const IslandIndex island = trajectories.island_of(next.a);
       world.sums.ledger.lost_to_dampers += trajectories.advance_to_end(island);

@@ -54,14 +54,15 @@ class EventDrivenImpacts {
     double horizon;              // s after the epoch: where trajectories end, infinite if they continue
     std::int64_t impacts_begin;  // counted before the whole step
     bool may_divide = false;
+    bool lands_first = false;  // while impacts are searched at the start of a part that a landing ends
   };
 
   [[nodiscard]] static bool trajectories_run_on(const World& world, const RestingContacts* resting);
   double process_with_supports(Step& step);
   void begin_part(const Step& step, bool may_divide, bool hit);
-  // Resolves events up to `target` (s after the epoch), except the landing `awaited` there. Returns the time
+  // Resolves events up to `target` (s after the epoch), except the landings awaited there. Returns the time
   // of a support that divides the step; everything before it is done.
-  std::optional<double> process_until(const Step& step, double target, const Landing* awaited = nullptr);
+  std::optional<double> process_until(const Step& step, double target, bool awaits_landing = false);
   // Takes the next event off the queue, and with an impact all others of its moment, as far as it can be told:
   // what they set off comes after them all. Fills moment_, the first at the back.
   void find_moment(const Step& step);

@@ -135,7 +135,7 @@ void EventDrivenImpacts::search_island(const Step& step, IslandIndex island) {
 
 // Until the step is divided, from `from` on (s after the epoch).
 SearchRules EventDrivenImpacts::search_rules(const Step& step, double from) const {
-  return {end_of_step_, step.resting, closing_share(), from, end_of_disturbed(step)};
+  return {end_of_step_, step.resting, closing_share(), from, end_of_disturbed(step), step.lands_first};
 }
 
 // Schedules the next impact of a and b on their trajectories, if there is one.
@@ -215,7 +215,7 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
   const double flight = std::min(trajectories.end(a), trajectories.end(b)) -
                         std::max(trajectories.start(a), trajectories.start(b));
   const double tolerance = touch_tolerance(world, a, b, flight);
-  const SearchRules rules{end_of_step_, step.resting, 0.0, 0.0, kNever};
+  const SearchRules rules{end_of_step_, step.resting, 0.0, 0.0, kNever, false};
   std::optional<ShapePair> meet;
   double fastest = kNever;
   shapes.each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {

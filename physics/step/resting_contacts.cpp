@@ -97,6 +97,8 @@ void RestingContacts::support(World& world, double h, bool may_divide, bool hit)
   may_divide_ = may_divide;
   hit_ = hit;
   finder_.begin_part(world, may_divide ? std::span<const ContactForce>() : memory_.forces);
+  for (const Landing& landing : together_) finder_.keep(landing);
+  together_.clear();
   support_found(world, h);
   for (int k = 0; may_divide && k < kMostSinking && keep_what_sinks(world); ++k) support_found(world, h);
 }

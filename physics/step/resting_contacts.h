@@ -60,8 +60,11 @@ class RestingContacts {
   static constexpr int kMostParts = 16;
   // On trajectories already built: the first landing before `end` (s after the epoch).
   [[nodiscard]] std::optional<LandingTime> first_landing(World& world, double end) const;
-  // Lets the landed pair rebound by the law of impacts, if the rebound is faster than rest_speed().
-  void land(World& world, const LandingTime& landing) const;
+  // Lets the landed pair rebound by the law of impacts, if the rebound is faster than rest_speed(). Others that
+  // land at the same moment are stopped with it, all at once at the start of the next part, if none rebounds.
+  void land(World& world, const LandingTime& landing);
+  // Whether the landings of these bodies are found by first_landing().
+  [[nodiscard]] bool awaits(BodyIndex a, BodyIndex b) const;
   // Where the pair hits at the trajectories' start: faster than that.
   [[nodiscard]] std::optional<Contact> hit_now(const World& world, const Landing& landing) const;
   // Enters the work of the contact forces until `passed` s after the epoch into the ledger; `share` is its
@@ -123,6 +126,8 @@ class RestingContacts {
   void prepare(const World& world);
   void read_velocities(const World& world);
 
+  void list_landing_with(const World& world, const Landing& landing);
+
   double supported_ = 0.0;    // s
   double whole_step_ = 0.0;   // s: the method's step, or the step under way if that is longer
   double step_length_ = 0.0;  // s: that, or of the part under way
@@ -144,6 +149,7 @@ class RestingContacts {
   HitsInOrder in_order_;
   GaussContacts linear_;
   std::vector<TouchNearEnd> near_ends_;
+  std::vector<Landing> together_;     // that land at one moment, at the start of the next part
   std::vector<std::uint8_t> struck_;  // by body, in this step
   std::vector<BodyIndex> bodies_;     // of an island
   std::vector<int> partners_;         // by body: how many others it may touch

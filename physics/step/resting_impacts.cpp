@@ -134,7 +134,49 @@ std::optional<Contact> RestingContacts::hit_now(const World& world, const Landin
   return contact;
 }
 
-void RestingContacts::land(World& world, const LandingTime& landing) const {
+bool RestingContacts::awaits(BodyIndex a, BodyIndex b) const {
+  return std::any_of(found_.landings.begin(), found_.landings.end(), [&](const Landing& landing) {
+    return landing.a == std::min(a, b) && landing.b == std::max(a, b);
+  });
+}
+
+// Fills together_ with this landing and those at its moment whose bodies it moves, directly or through others;
+// with nothing if they are of one pair, or if one rebounds.
+void RestingContacts::list_landing_with(const World& world, const Landing& landing) {
+  together_.assign(1, landing);
+  const auto shares = [&](BodyIndex body, const Landing& other) {
+    return !world.infinite_mass(body) && (other.a == body || other.b == body);
+  };
+  const auto is_listed = [&](const Landing& other) {
+    return std::any_of(together_.begin(), together_.end(), [&](const Landing& listed) {
+      return listed.a == other.a && listed.b == other.b && listed.id == other.id;
+    });
+  };
+  const auto rebounds = [&](const Contact& contact, const Landing& at) {
+    const SurfaceLaw& law = world.material(contact, at.a, at.b);
+    return law.restitution > 0.0 || law.sticks;
+  };
+  const std::optional<Contact> first = hit_now(world, landing);
+  bool several = false;
+  bool any_rebounds = !first || rebounds(*first, landing);
+  for (std::size_t k = 0; k < together_.size() && !any_rebounds; ++k) {
+    const Landing from = together_[k];
+    for (const Landing& other : found_.landings) {
+      if ((!shares(from.a, other) && !shares(from.b, other)) || is_listed(other)) continue;
+      const std::optional<Contact> contact = hit_now(world, other);
+      const double flush = kFlush * (world.shapes().size[other.a] + world.shapes().size[other.b]);
+      if (!contact || contact->gap > flush) continue;
+      together_.push_back(other);
+      several = several || other.a != landing.a || other.b != landing.b;
+      any_rebounds = any_rebounds || rebounds(*contact, other);
+    }
+  }
+  if (!several || any_rebounds) together_.clear();
+}
+
+void RestingContacts::land(World& world, const LandingTime& landing) {
+  list_landing_with(world, landing.landing);
+  if (!together_.empty()) return;
   const auto& [a, b, id] = landing.landing;
   const std::optional<Contact> contact = hit_now(world, landing.landing);
   if (!contact) return;

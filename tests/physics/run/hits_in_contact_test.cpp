@@ -87,5 +87,24 @@ TEST(HitsInContact, WhatLiftsOffMayLandWithinTheStep) {
   }
 }
 
+// A box that has tipped against a low step falls back: its side meets the step, and its base the floor, at one
+// moment, in which friction acts. What is later in a list, or nearer by rounding, decides nothing.
+TEST(HitsInContact, ABoxFallsBackIntoACornerAtOnce) {
+  struct Case {
+    double step_height, width, height, speed, friction, until;
+  };
+  for (const Case& c : {Case{0.02, 0.158, 0.093, 1.39, 0.1, 0.5}, Case{0.01, 0.2, 0.15, 1.2, 0.3, 0.6},
+                        Case{0.02, 0.12, 0.2, 0.9, 0.1, 0.7}, Case{0.005, 0.25, 0.1, 1.7, 0.1, 0.5}}) {
+    const auto at = [&](double h) {
+      return setup({test::wall("floor", {0.0, -0.1}, 3.0, 0.2),
+                    test::wall("step", {1.0, 0.5 * c.step_height}, 1.0, c.step_height),
+                    test::box("box", {0.3 - 0.5 * c.width, 0.5 * c.height}, {c.speed, 0.0}, c.width, c.height)},
+                   0.0, c.friction, h);
+    };
+    for (const double step : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0, 1.0 / 960.0})
+      EXPECT_LT(off(at, c.until, step), 1e-6) << c.step_height << " m, mu = " << c.friction << ", h = " << step;
+  }
+}
+
 }  // namespace
 }  // namespace carom
