@@ -396,8 +396,7 @@ bool ContactFinder::is_supported(const World& world, BodyIndex a, BodyIndex b) c
 }
 
 bool ContactFinder::is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const {
-  return std::any_of(kept_.begin(), kept_.end(),
-                     [&](const Landing& kept) { return kept.a == a && kept.b == b && kept.id == id; });
+  return std::find(kept_.begin(), kept_.end(), Landing{a, b, id}) != kept_.end();
 }
 
 bool ContactFinder::supports(BodyIndex a, BodyIndex b, const ShapePair& parts) const {

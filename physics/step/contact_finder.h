@@ -29,6 +29,8 @@ struct Landing {
   BodyIndex a;
   BodyIndex b;
   std::uint32_t id = 0;  // of the manifold's point
+
+  bool operator==(const Landing&) const = default;
 };
 
 // The index of a manifold's point with this feature; -1 if there is none.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +26,14 @@ struct ContactForce {
   double rolling_moment = 0.0;    // N m
   bool sticks = false;            // did not slip
 };
+
+// Index of the first force of the pair a < b, or of where it would be, among forces in the order of (a, b).
+[[nodiscard]] inline std::size_t first_force_of(const std::vector<ContactForce>& forces, BodyIndex a,
+                                                BodyIndex b) {
+  const auto before = [](const ContactForce& f, const BodyPair& pair) { return BodyPair(f.a, f.b) < pair; };
+  return static_cast<std::size_t>(std::lower_bound(forces.begin(), forces.end(), BodyPair(a, b), before) -
+                                  forces.begin());
+}
 
 // State of resting contacts between two steps.
 struct ContactMemory {

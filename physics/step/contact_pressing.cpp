@@ -83,9 +83,7 @@ double ContactPressing::between(const World& world, const ContactMemory& memory,
   const auto take_off = [&](BodyIndex body, std::size_t k) {
     (body == a ? of_a : of_b) -= forces[k].a == body ? pushes_[k].of_a : pushes_[k].of_b;
   };
-  const auto before = [](const ContactForce& f, const BodyPair& pair) { return std::pair(f.a, f.b) < pair; };
-  auto k = static_cast<std::size_t>(std::lower_bound(forces.begin(), forces.end(), std::pair(a, b), before) -
-                                    forces.begin());
+  std::size_t k = first_force_of(forces, a, b);
   for (; k < memory.support.size() && forces[k].a == a && forces[k].b == b; ++k) {
     take_off(a, k);
     take_off(b, k);

@@ -222,7 +222,7 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
   };
   double start = begin;
   TurningSample first = pair(start);
-  if (first.gap <= tolerance || first.gap <= closed_gap(world, rules.resting, a, b, tolerance)) {
+  if (first.gap <= closed_gap(world, rules.resting, a, b, tolerance)) {
     const Twist twist_a = paths.twist(a, begin);
     const Twist twist_b = paths.twist(b, begin);
     const Eigen::Vector3d place_a = paths.at(a, begin);

@@ -366,10 +366,10 @@ void RestingContacts::record_forces(World& world, double passed, double share) {
 
 bool RestingContacts::holds(BodyIndex a, BodyIndex b) const {
   if (!pressing_.follows_bounces()) return false;
-  const auto before = [](const ContactForce& f, const BodyPair& pair) { return std::pair(f.a, f.b) < pair; };
-  auto force = std::lower_bound(memory_.forces.begin(), memory_.forces.end(), std::pair(a, b), before);
-  for (; force != memory_.forces.end() && force->a == a && force->b == b; ++force) {
-    if (force->normal_force > 0.0) return true;
+  const std::vector<ContactForce>& forces = memory_.forces;
+  for (std::size_t k = first_force_of(forces, a, b); k < forces.size() && forces[k].a == a && forces[k].b == b;
+       ++k) {
+    if (forces[k].normal_force > 0.0) return true;
   }
   return false;
 }

@@ -126,7 +126,7 @@ class RestingContacts {
   void prepare(const World& world);
   void read_velocities(const World& world);
 
-  void list_landing_with(const World& world, const Landing& landing);
+  void list_landing_with(const World& world, const Landing& landing, const SurfaceLaw& law);
 
   double supported_ = 0.0;    // s
   double whole_step_ = 0.0;   // s: the method's step, or the step under way if that is longer

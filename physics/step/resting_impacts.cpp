@@ -42,6 +42,9 @@ void add_touches(const World& world, const FoundContacts& found, std::vector<Hit
   }
 }
 
+// Whether an impact between these surfaces does more than stop them.
+bool leaves_or_sticks(const SurfaceLaw& law) { return law.restitution > 0.0 || law.sticks; }
+
 // m: the largest gap where forces press one of these bodies against another one.
 double held_apart(const World& world, const ContactMemory& memory, BodyIndex a, BodyIndex b) {
   const Geometry& shapes = world.shapes();
@@ -142,23 +145,16 @@ bool RestingContacts::awaits(BodyIndex a, BodyIndex b) const {
 
 // Fills together_ with this landing and those at its moment whose bodies it moves, directly or through others;
 // with nothing if they are of one pair, or if one rebounds.
-void RestingContacts::list_landing_with(const World& world, const Landing& landing) {
+void RestingContacts::list_landing_with(const World& world, const Landing& landing, const SurfaceLaw& law) {
   together_.assign(1, landing);
   const auto shares = [&](BodyIndex body, const Landing& other) {
     return !world.infinite_mass(body) && (other.a == body || other.b == body);
   };
   const auto is_listed = [&](const Landing& other) {
-    return std::any_of(together_.begin(), together_.end(), [&](const Landing& listed) {
-      return listed.a == other.a && listed.b == other.b && listed.id == other.id;
-    });
+    return std::find(together_.begin(), together_.end(), other) != together_.end();
   };
-  const auto rebounds = [&](const Contact& contact, const Landing& at) {
-    const SurfaceLaw& law = world.material(contact, at.a, at.b);
-    return law.restitution > 0.0 || law.sticks;
-  };
-  const std::optional<Contact> first = hit_now(world, landing);
   bool several = false;
-  bool any_rebounds = !first || rebounds(*first, landing);
+  bool any_rebounds = leaves_or_sticks(law);
   for (std::size_t k = 0; k < together_.size() && !any_rebounds; ++k) {
     const Landing from = together_[k];
     for (const Landing& other : found_.landings) {
@@ -168,23 +164,23 @@ void RestingContacts::list_landing_with(const World& world, const Landing& landi
       if (!contact || contact->gap > flush) continue;
       together_.push_back(other);
       several = several || other.a != landing.a || other.b != landing.b;
-      any_rebounds = any_rebounds || rebounds(*contact, other);
+      any_rebounds = any_rebounds || leaves_or_sticks(world.material(*contact, other.a, other.b));
     }
   }
   if (!several || any_rebounds) together_.clear();
 }
 
 void RestingContacts::land(World& world, const LandingTime& landing) {
-  list_landing_with(world, landing.landing);
-  if (!together_.empty()) return;
   const auto& [a, b, id] = landing.landing;
   const std::optional<Contact> contact = hit_now(world, landing.landing);
   if (!contact) return;
+  const SurfaceLaw& law = world.material(*contact, a, b);
+  list_landing_with(world, landing.landing, law);
+  if (!together_.empty()) return;
   // A contact that is held touches, too: there the forces leave an error of the method.
   Contact touching = *contact;
   touching.gap = std::max(contact->gap, held_apart(world, memory_, a, b));
-  apply_impact(world, a, b, pressed_contact(world, a, b, touching), world.material(*contact, a, b),
-               landing.time);
+  apply_impact(world, a, b, pressed_contact(world, a, b, touching), law, landing.time);
 }
 
 // How two parts approach that rebound by the law of impacts, as they are faster than a contact may rest: in the
@@ -313,7 +309,7 @@ void RestingContacts::rebound_at_end(World& world, const std::vector<BodyPair>& 
       const std::optional<Approach> at = rebound(world, a, b, parts);
       if (!at || at->contact.gap >= 0.0) break;
       const SurfaceLaw& material = world.material(at->contact, a, b);
-      if (material.restitution == 0.0 && !material.sticks) break;
+      if (!leaves_or_sticks(material)) break;
       if (may_be_continued(world, a, b) &&
           on_internal_edge(world, a, b, at->contact, finder_.neighbours().of_pair(world, a, b), pose))
         break;
@@ -324,8 +320,7 @@ void RestingContacts::rebound_at_end(World& world, const std::vector<BodyPair>& 
   for (const auto& [a, b] : pairs) {
     if (!world.can_collide(a, b)) continue;  // one body by now
     const bool one_surface = !world.shapes().has_parts(a) && !world.shapes().has_parts(b);
-    const auto rebounds = [](const SurfaceLaw& law) { return law.restitution > 0.0 || law.sticks; };
-    if (one_surface && !rebounds(world.material({}, a, b))) continue;
+    if (one_surface && !leaves_or_sticks(world.material({}, a, b))) continue;
     ImpactEffect effect = ImpactEffect::kNone;
     world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
       if (effect != ImpactEffect::kJoined) effect = rebound_parts(a, b, ShapePair{part_a, part_b});
