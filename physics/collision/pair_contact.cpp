@@ -159,13 +159,14 @@ Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
     faces.normal = edge.normal;
     clip_at(frame, edge, rounding_a, rounding_b, faces);
     const bool share = faces.count == 2 && (prefer_faces || faces.flat);
-    if (share && std::min(faces.points[0].gap, faces.points[1].gap) <= touch.gap) return faces;
+    if (share && std::min(faces.points[0].gap, faces.points[1].gap) <= touch.gap + kTie * frame.scale)
+      return faces;
     if (prefer_faces && blunt) {
       if (faces.count == 1) faces.gap = faces.points[0].gap = edge.separation - (rounding_a + rounding_b);
-      return faces;
+      touch = faces;
     }
   }
-  if (!corners) clip_at(frame, closest, rounding_a, rounding_b, touch);
+  if (!corners && !(prefer_faces && blunt)) clip_at(frame, closest, rounding_a, rounding_b, touch);
   const double near = (prefer_faces ? kTipOfFaces : kTip) * frame.scale;
   const bool in_one_point =
       touch.count == 1 ||

@@ -120,6 +120,7 @@ void FoundContacts::clear() {
   guess.clear();
   old.clear();
   press.clear();
+  rest.clear();
   turned_away.clear();
   returns.clear();
   landings.clear();
@@ -128,6 +129,11 @@ void FoundContacts::clear() {
 
 double landing_speed(const World& world, const SurfaceLaw& law, double closing) {
   return moves_few(world) && !is_of_clay(law) ? closing : impact_speed(law, closing);
+}
+
+bool may_bounce(const World& world, BodyIndex a, BodyIndex b, bool pressed) {
+  const bool cornered = !world.shapes().is_disc(a) && !world.shapes().is_disc(b);
+  return cornered || (moves_few(world) && !pressed);
 }
 
 void ContactFinder::begin_part(const World& world, std::span<const ContactForce> forces) {
@@ -268,9 +274,6 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   const SurfaceLaw& material = world.material(m.contact(0), a, b);
   const bool located = is_located(world, a, b, material);
   const ShapePair parts = world.shapes().parts_or_first(m.parts, a, b);
-  // Discs have no other corner that stays; in a jam they would bounce on for ever.
-  const bool cornered = !world.shapes().is_disc(a) && !world.shapes().is_disc(b);
-  const bool few = moves_few(world);
   const bool euler_in_time = located && world.method.integrator == IntegratorId::kExplicitEuler &&
                              forces.size() <= static_cast<std::size_t>(kFewContactsOfScene);
   const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
@@ -287,7 +290,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     const double closing = -u.normal;
     const double press = step.pressing.between(world, step.memory, a, b, at.point, m.normal);
     const double rest = step.pressing.rest_speed(world, press, material.restitution);
-    const bool kept = is_kept(a, b, at.id);
+    const bool kept = is_kept({a, b, at.id});
     const std::optional<std::size_t> before = force_before(world, forces, last, a, b, m, at);
     const bool pressed_before = before && step.memory.support[*before][0] > 0.0;
     const bool follows = step.pressing.follows_bounces();
@@ -302,7 +305,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
                       (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= 2.0 * pressed);
     const bool outside = at.gap > -held;
     const bool comes_later = !pressed_before && at.gap > kFlush * size;
-    const bool bounces = cornered || (few && !pressed_before);
+    const bool bounces = may_bounce(world, a, b, pressed_before);
     const bool begins_later = follows ? outside && (comes_later || (bounces && closing < -rest)) && !kept
                                       : euler_in_time && comes_later;
     // Without rebound what is as good as closed lands with all that does at this moment.
@@ -335,6 +338,7 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
     found.id.push_back(at.id);
     found.point.push_back(at.point);
     found.press.push_back(press);
+    found.rest.push_back(rest);
     if (slow) support(a, b, parts, rest);
     if (!located) keep_apart(a, b);
   }
@@ -395,8 +399,8 @@ bool ContactFinder::is_supported(const World& world, BodyIndex a, BodyIndex b) c
                      });
 }
 
-bool ContactFinder::is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const {
-  return std::find(kept_.begin(), kept_.end(), Landing{a, b, id}) != kept_.end();
+bool ContactFinder::is_kept(const Landing& contact) const {
+  return std::find(kept_.begin(), kept_.end(), contact) != kept_.end();
 }
 
 bool ContactFinder::supports(BodyIndex a, BodyIndex b, const ShapePair& parts) const {

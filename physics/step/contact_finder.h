@@ -24,6 +24,10 @@ namespace carom {
 // also without rebound; not if nothing rubs there, as then the forces of all contacts stop it at once.
 [[nodiscard]] double landing_speed(const World& world, const SurfaceLaw& law, double closing);
 
+// Whether a contact may open and close again within a step. Discs have no other corner that stays, and in a jam
+// they would bounce on for ever: they may where few bodies move, unless they were pressed in the last step.
+[[nodiscard]] bool may_bounce(const World& world, BodyIndex a, BodyIndex b, bool pressed);
+
 // A contact point that closes too fast to rest, of a pair that is supported at other points.
 struct Landing {
   BodyIndex a;
@@ -49,6 +53,7 @@ struct FoundContacts {
   std::vector<Eigen::Vector3d> guess;  // N, N and N m: at first the last forces
   std::vector<std::uint8_t> old;       // whether the contact had a force in the last step
   std::vector<double> press;           // m/s², see ContactPressing::between
+  std::vector<double> rest;            // m/s, see ContactPressing::rest_speed
   // m: how much farther apart than the normal of now says both would be at the end, if they went straight on.
   std::vector<double> turned_away;
   // m/s, in the contacts' targets: what brings bodies back onto the surfaces that the step's method leaves.
@@ -86,6 +91,7 @@ class ContactFinder {
   void begin_part(const World& world, std::span<const ContactForce> forces);
   // From now on in this part a contact that may press, though its bodies are leaving each other there.
   void keep(const Landing& contact) { kept_.push_back(contact); }
+  [[nodiscard]] bool is_kept(const Landing& contact) const;
 
   // Pairs that may touch in this step, and supported pairs; each in rising order.
   [[nodiscard]] const std::vector<BodyPair>& near() const { return near_; }
@@ -113,7 +119,6 @@ class ContactFinder {
   void keep_apart(BodyIndex a, BodyIndex b);
   [[nodiscard]] bool is_located(const World& world, BodyIndex a, BodyIndex b, const SurfaceLaw& law) const;
   [[nodiscard]] bool is_supported(const World& world, BodyIndex a, BodyIndex b) const;
-  [[nodiscard]] bool is_kept(BodyIndex a, BodyIndex b, std::uint32_t id) const;
   [[nodiscard]] double stays_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m, double gap,
                                   double closing, bool hits, double rounding) const;
   [[nodiscard]] double turned_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m,

@@ -100,7 +100,9 @@ bool GaussContacts::settle(const GaussStep& step, double& ends) {
   });
   const int most = have_limits ? kMostModesAtLimits : kMostModes;
   for (int round = 0; round < most; ++round) {
-    if (!island_.solve(step)) return false;
+    while (!island_.solve(step)) {
+      if (!ask_less(island_)) return false;
+    }
     double until = step.h;
     if (change_modes(step, island_, until)) continue;
     if (until < step.least || !stay_open(step, island_)) return false;

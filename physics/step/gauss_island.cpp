@@ -161,8 +161,8 @@ bool GaussIsland::look(const GaussStep& step) {
   return true;
 }
 
-// Whether another body continues a contact's surface where it is at the end, and not along the face of a
-// corner.
+// Whether another body continues the surface of a contact that presses where it is at the end, and not along
+// the face of a corner.
 bool GaussIsland::is_continued(const GaussStep& step) const {
   const World& world = step.world;
   const auto pose = [&](BodyIndex body) {
@@ -171,7 +171,7 @@ bool GaussIsland::is_continued(const GaussStep& step) const {
   return std::any_of(closed_.begin(), closed_.end(), [&](const GaussContact& c) {
     Contact contact;
     RowVelocity velocity;
-    if (c.tip || !may_be_continued(world, c.a, c.b) ||
+    if (c.tip || !c.presses || !may_be_continued(world, c.a, c.b) ||
         !find_contact(world, c.a, sampled(c.a).end, c.b, sampled(c.b).end,
                       step.found.id[static_cast<std::size_t>(c.contact)], contact, velocity))
       return false;
@@ -285,7 +285,7 @@ void GaussIsland::correct(const GaussStep& step) {
       at.normal_force = c.presses ? at.normal_force + change_(c.row, point) : 0.0;
       if (c.holds) {
         at.tangential_force += change_(c.row + 1, point);
-      } else {
+      } else if (!c.held_still || !c.presses) {
         at.tangential_force = c.sticks ? 0.0 : -c.slips * friction_of(step, c) * at.normal_force;
       }
     }

@@ -74,6 +74,7 @@ struct GaussContact {
   bool holds = false;       // it has the tangential force of all that stick on its face
   double slips = 0.0;       // σ, if it presses, rubs and does not stick
   bool at_limit = false;    // not sticking, static friction is full, and others may hold it still
+  bool held_still = false;  // by others: its friction stays as it is
   bool broke_away = false;  // at the start, from static friction
   bool comes_back = false;  // it opens now and closes later within the step
   double stays_open = 0.0;  // m: the gap that it is to have at the end

@@ -20,6 +20,8 @@ constexpr double kOpen = 1e-9;
 // Times what is rounding: motions that are more.
 constexpr double kSeen = 4.0;
 constexpr double kBegins = 256.0;  // as a rate at the start
+// Times the gaps on the way by the step: the fastest slip that has no other cause.
+constexpr double kOnTheWay = 16.0;
 
 // How the polynomial that is 0 at the start, with as many derivatives as `power` is above 1, begins: its first
 // coefficient, of t^power, from its values at kTimes.
@@ -131,17 +133,29 @@ double gaps_on_the_way(const GaussIsland& island) {
   return most;
 }
 
-// Of several contacts that share what fewer would hold, one whose force would end within the step.
-GaussContact* idle_contact(GaussIsland& island, double rounding) {
+// Whether a contact that others were to hold still slips.
+bool slips_on(const GaussStep& step, const GaussIsland& island, const GaussContact& c) {
+  const double slip = std::max(
+      {std::abs(c.at[0].slip), std::abs(c.halfway.slip), std::abs(c.at[1].slip), std::abs(c.end.slip)});
+  return slip > step.slip_speed + kOnTheWay * gaps_on_the_way(island) / step.h;
+}
+
+// Of several contacts that share what fewer would hold, the one of these that presses least.
+template <class IsIdle>
+GaussContact* idle_contact(GaussIsland& island, const IsIdle& is_idle) {
   if (!island.is_redundant()) return nullptr;
   GaussContact* idle = nullptr;
   const auto mean = [](const GaussContact& c) { return c.at[0].normal_force + c.at[1].normal_force; };
   for (GaussContact& c : island.closed()) {
-    if (!c.presses || c.spared || part_held(c.at[0].normal_force, c.at[1].normal_force, rounding) == 1.0)
-      continue;
+    if (!c.presses || c.spared || !is_idle(c)) continue;
     if (idle == nullptr || mean(c) < mean(*idle)) idle = &c;
   }
   return idle;
+}
+
+void spare(GaussContact& c) {
+  c.presses = false;
+  c.spared = true;
 }
 
 }  // namespace
@@ -152,6 +166,21 @@ bool closes(const GaussStep& step, const GaussContact& c, double off) {
   const double least = std::min(c.end.gap, *std::min_element(gaps.begin(), gaps.end()));
   if (least < std::min(c.start.gap, 0.0) - kSeen * rounding) return true;
   return begins_to_close(step, c, rounding);
+}
+
+bool ask_less(GaussIsland& island) {
+  if (!island.is_redundant()) return false;
+  bool any = false;
+  for (GaussContact& c : island.closed()) {
+    if (!c.presses || !c.sticks || c.held_still) continue;
+    c.sticks = false;
+    c.slips = 0.0;
+    c.held_still = any = true;
+  }
+  if (any) return true;
+  GaussContact* idle = idle_contact(island, [](const GaussContact&) { return true; });
+  if (idle != nullptr) spare(*idle);
+  return idle != nullptr;
 }
 
 bool change_modes(const GaussStep& step, GaussIsland& island, double& ends) {
@@ -165,9 +194,11 @@ bool change_modes(const GaussStep& step, GaussIsland& island, double& ends) {
     }
   };
   const double rounding = kAtLimit * largest_force(island);
-  if (GaussContact* idle = idle_contact(island, rounding)) {
-    idle->presses = false;
-    idle->spared = true;
+  const auto lets_go = [&](const GaussContact& c) {
+    return part_held(c.at[0].normal_force, c.at[1].normal_force, rounding) < 1.0;
+  };
+  if (GaussContact* idle = idle_contact(island, lets_go)) {
+    spare(*idle);
     return true;
   }
   for (GaussContact& c : island.closed()) {
@@ -192,7 +223,9 @@ bool change_modes(const GaussStep& step, GaussIsland& island, double& ends) {
         other.at_limit = at_limit;
       }
     };
-    if (c.holds) {
+    if (c.held_still) {
+      if (!c.sticks && slips_on(step, island, c)) enter(0.0, [&] { set_face(true, 0.0, false); });
+    } else if (c.holds) {
       const std::array<double, 2> most = most_friction(step, island, c.face);
       for (const double sign : {1.0, -1.0}) {
         const double part = part_held(most[0] - sign * c.at[0].tangential_force,

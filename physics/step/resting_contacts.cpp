@@ -133,8 +133,8 @@ void RestingContacts::support_found(World& world, double h) {
   }
 }
 
-bool RestingContacts::end_linear_forces(World& world, double time) {
-  if (!linear_.any() || !moves_few(world)) return false;
+bool RestingContacts::end_forces(World& world, double time) {
+  if (!moves_few(world)) return false;
   if (!(time > kLeastEnd * whole_step_ && time < kWhole * supported_)) return false;
   supported_ = std::min((1.0 + kGoesOn) * time, supported_);
   take_off_forces(world);
@@ -273,11 +273,27 @@ double RestingContacts::hold(World& world, double h, double least) {
   }
   forget();
   read_velocities(world);
-  stop_approaches(world, h);
+  if (stop_approaches(world, h)) let_leave(world);
   const double holds = find_forces(world, h, least);
   remember_forces(world, h);
   pressing_.update(world, memory_);
   return holds;
+}
+
+// What leaves as others are stopped comes back as a landing.
+void RestingContacts::let_leave(const World& world) {
+  if (!pressing_.follows_bounces()) return;
+  Contacts& c = found_.contacts;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Landing landing{c.a[i], c.b[i], found_.id[k]};
+    if (!std::isfinite(c.target[i]) || finder_.is_kept(landing) ||
+        !may_bounce(world, landing.a, landing.b, !found_.is_new(i)))
+      continue;
+    if (!(contact_velocity(c, i, before_).normal > found_.rest[k])) continue;
+    c.target[i] = -std::numeric_limits<double>::infinity();
+    found_.landings.push_back(landing);
+  }
 }
 
 void RestingContacts::read_velocities(const World& world) {

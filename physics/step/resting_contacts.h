@@ -51,9 +51,9 @@ class RestingContacts {
   void support(World& world, double h, bool may_divide, bool hit);
   // s: for how long support() was.
   [[nodiscard]] double supported() const { return supported_; }
-  // Where few bodies move, ends the part at this time (s after the epoch) if forces are linear in it: they keep
-  // contacts closed best at its end, at which something lands. False if that changes nothing.
-  bool end_linear_forces(World& world, double time);
+  // Where few bodies move, ends the part at this time (s after the epoch), at which something lands: forces
+  // keep contacts closed best at its end. False if that changes nothing.
+  bool end_forces(World& world, double time);
   // Likewise where impacts are not located in time, for a part of a step: at most `left` parts of kMostParts,
   // fewer where bodies in a crowd move or turn so fast that contacts found now soon are others. How many.
   int support_part(World& world, double step, int left);
@@ -104,7 +104,8 @@ class RestingContacts {
   void project_penetrations(World& world);
   void strike(World& world, double h);
   void join_what_rests(World& world);
-  void stop_approaches(World& world, double h);
+  bool stop_approaches(World& world, double h);
+  void let_leave(const World& world);
   double find_forces(World& world, double h, double least);
   [[nodiscard]] bool may_guess_roughly(const World& world) const;
   double guess_forces(World& world, double h, double accuracy);

@@ -157,8 +157,8 @@ void RestingContacts::list_breaking(double still) {
   }
 }
 
-// Contacts that close, or would within the step, lose their closing speed now.
-void RestingContacts::stop_approaches(World& world, double h) {
+// Contacts that close, or would within the step, lose their closing speed now. Whether any did.
+bool RestingContacts::stop_approaches(World& world, double h) {
   Contacts& c = found_.contacts;
   const ContactSolverOptions options = solver_options();
   const double gentle = hit_ ? kGentleHit : kGentle;
@@ -171,6 +171,7 @@ void RestingContacts::stop_approaches(World& world, double h) {
     if (found_.is_new(i) || closing > gentle * press * step_length_) worst = std::max(worst, closing);
   }
   after_ = before_;
+  bool stopped = false;
   if (worst > 2.0 * options.tolerance) {
     if (!prepared_) prepare(world);
     if (worst > 2.0 * (has_large_island() ? options.large_tolerance : options.tolerance)) {
@@ -190,6 +191,7 @@ void RestingContacts::stop_approaches(World& world, double h) {
         world.state.v.col(i) = after_.col(i);
       }
       before_ = after_;
+      stopped = true;
     }
   }
   for (int i = 0; i < c.size(); ++i) {
@@ -198,6 +200,7 @@ void RestingContacts::stop_approaches(World& world, double h) {
                               c.normal_impulse[i] / h, c.tangential_impulse[i] / h, c.rolling_impulse[i] / h,
                               true});
   }
+  return stopped;
 }
 
 // Puts the accelerations by the last contact forces on the trajectories.

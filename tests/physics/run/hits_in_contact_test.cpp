@@ -1,9 +1,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
-#include <utility>
 #include <vector>
 
 #include "physics/run/simulation.h"
+#include "tests/support/fine_step.h"
 #include "tests/support/scenes.h"
 
 // What is hit while contacts carry and turn it: in the middle of a step these are open or closed by the error
@@ -42,19 +42,6 @@ RunSetup domino(double speed, double friction, double step) {
       0.0, friction, step);
 }
 
-// The largest difference of positions and velocities at this time from those of a fine step.
-template <class SetupOf>
-double off(const SetupOf& setup_of, double time, double step) {
-  const auto end = [&](double h) {
-    Simulation run(setup_of(h));
-    run.advance_to(time);
-    return std::pair(run.state().q, run.state().v);
-  };
-  const auto [q, v] = end(step);
-  const auto [fine_q, fine_v] = end(1.0 / 3840.0);
-  return std::max((q - fine_q).cwiseAbs().maxCoeff(), (v - fine_v).cwiseAbs().maxCoeff());
-}
-
 // s: when it comes.
 double first_impact(const RunSetup& setup) {
   Simulation run(setup);
@@ -69,7 +56,7 @@ TEST(HitsInContact, ASeesawIsHitInTheSameWayAnywhereInAStep) {
     const double after = std::ceil(60.0 * first_impact(seesaw(scene, 1.0 / 3840.0))) / 60.0;
     for (const double step : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0}) {
       const auto at = [&](double h) { return seesaw(scene, h); };
-      EXPECT_LT(off(at, after, step), 1e-5)
+      EXPECT_LT(test::off_from_fine_step(at, after, step), 1e-5)
           << scene.fall << " m, e = " << scene.restitution << ", mu = " << scene.friction << ", h = " << step;
     }
   }
@@ -81,7 +68,8 @@ TEST(HitsInContact, WhatLiftsOffMayLandWithinTheStep) {
     for (const double friction : {0.2, 0.4}) {
       for (const double step : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0}) {
         const auto at = [&](double h) { return domino(speed, friction, h); };
-        EXPECT_LT(off(at, 0.28, step), 2e-4) << speed << " m/s, mu = " << friction << ", h = " << step;
+        EXPECT_LT(test::off_from_fine_step(at, 0.28, step), 2e-4)
+            << speed << " m/s, mu = " << friction << ", h = " << step;
       }
     }
   }
@@ -102,7 +90,8 @@ TEST(HitsInContact, ABoxFallsBackIntoACornerAtOnce) {
                    0.0, c.friction, h);
     };
     for (const double step : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0, 1.0 / 960.0})
-      EXPECT_LT(off(at, c.until, step), 1e-6) << c.step_height << " m, mu = " << c.friction << ", h = " << step;
+      EXPECT_LT(test::off_from_fine_step(at, c.until, step), 1e-6)
+          << c.step_height << " m, mu = " << c.friction << ", h = " << step;
   }
 }
 

@@ -7,6 +7,7 @@
 #include "physics/math/vectors.h"
 #include "physics/run/simulation.h"
 #include "physics/scene/polygon.h"
+#include "tests/support/fine_step.h"
 #include "tests/support/scenes.h"
 
 // A box that slides from a table up a ramp, whose own corner is at the foot: it hits the ramp's face, as it
@@ -62,6 +63,63 @@ TEST(Kinks, ABoxRunsUpARamp) {
           }
         }
       }
+    }
+  }
+}
+
+// The front corner of a box that meets a steep ramp jams between ramp and table while the box turns about it,
+// or slides up the ramp until the rear corner lands.
+TEST(Kinks, ABoxTurnsAtTheFootOfASteepRamp) {
+  struct Case {
+    double slope, width, height, speed, friction;  // degrees, m, m/s
+  };
+  for (const Case& c : {Case{50.0, 0.227, 0.138, 0.773, 0.0}, Case{50.0, 0.265, 0.237, 1.277, 0.3},
+                        Case{50.0, 0.165, 0.174, 0.705, 0.0}, Case{60.0, 0.292, 0.254, 1.951, 0.3},
+                        Case{70.0, 0.146, 0.2, 1.794, 0.1}, Case{70.0, 0.189, 0.191, 1.719, 0.1}}) {
+    const auto at = [&](double h) {
+      const double slope = c.slope * std::numbers::pi / 180.0;
+      RunSetup s = test::setup_with(
+          {test::wall("table", {-1.5, -0.1}, 3.0, 0.2),
+           test::wall("ramp", turned_by(slope, Vec2(0.75, -0.1)), 1.5, 0.2, slope),
+           test::box("box", {-0.2 - 0.5 * c.width, 0.5 * c.height}, {c.speed, 0.0}, c.width, c.height)},
+          0.0, c.friction);
+      s.scene.forces.gravity = {0.0, -kG};
+      s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, h};
+      return s;
+    };
+    for (const double step : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0})
+      EXPECT_LT(test::off_from_fine_step(at, 0.5, step), 1e-5) << c.slope << ' ' << c.speed << ' ' << step;
+  }
+}
+
+// A capsule tips over the end of a table, lands flat on the ramp beyond it, rattles to rest there and slides
+// on.
+TEST(Kinks, ACapsuleTipsAndLandsBeyondThem) {
+  struct Case {
+    double slope, length, speed;  // degrees, m, m/s
+  };
+  for (const Case& c :
+       {Case{0.5, 0.294, 1.973}, Case{1.0, 0.161, 1.63}, Case{1.0, 0.183, 0.997}, Case{2.0, 0.209, 1.954}}) {
+    const auto at = [&](double h) {
+      const double slope = -c.slope * std::numbers::pi / 180.0;
+      Body capsule = test::box("capsule", {-0.3 - 0.5 * c.length, 0.05}, {c.speed, 0.0}, c.length, 0.1);
+      capsule.shape = Polygon{{{-0.5 * c.length, 0.0}, {0.5 * c.length, 0.0}}, 0.05};
+      RunSetup s =
+          test::setup_with({test::wall("table", {-1.0, -0.15}, 2.0, 0.3),
+                            test::wall("ramp", turned_by(slope, Vec2(1.0, -0.15)), 2.0, 0.3, slope), capsule},
+                           0.0, 0.0);
+      s.scene.forces.gravity = {0.0, -kG};
+      s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, h};
+      return s;
+    };
+    for (const double step : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0}) {
+      EXPECT_LT(test::off_from_fine_step(at, 0.6, step), 1e-5) << c.slope << ' ' << c.speed << ' ' << step;
+      Simulation run(at(step));
+      run.advance_to(0.6);
+      EXPECT_LT(std::abs(run.ledger().penetration_correction), 1e-9)
+          << c.slope << ' ' << c.speed << ' ' << step;
+      // As much as bounces that are too slow to follow would have lost.
+      EXPECT_LT(std::abs(run.ledger().numerical_drift(run.totals().energy())), 3e-5) << c.slope << ' ' << step;
     }
   }
 }

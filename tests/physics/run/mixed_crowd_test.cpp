@@ -133,7 +133,7 @@ TEST(MixedCrowd, WhatRattlesIsNeitherLiftedNorMakesEnergy) {
       const double before = run.totals().energy();
       double gained = 0.0;
       double drift = 0.0;
-      while (run.time() < 4.0) {
+      while (run.time() < 6.0) {
         run.step();
         const double now = run.ledger().numerical_drift(run.totals().energy());
         gained += std::max(0.0, now - drift);
