@@ -40,16 +40,6 @@ double rolling_radius(const ConvexShapes& shapes, const ShapePair& parts) {
   return curvature > 0.0 ? 1.0 / curvature : 0.0;
 }
 
-void set_place(Contacts& c, int i, const BodyPair& pair, const Vec2& normal, const ManifoldPoint& at,
-               const Vec2& of_a, const Vec2& of_b) {
-  c.a[i] = pair.first;
-  c.b[i] = pair.second;
-  c.normal[i] = normal;
-  c.arm_a[i] = at.point - of_a;
-  c.arm_b[i] = at.point - of_b;
-  c.gap[i] = at.gap;
-}
-
 // And no impulses yet.
 void set_friction(const World& world, Contacts& c, int i, const SurfaceLaw& material, const ShapePair& parts) {
   const ShapePair touching = world.shapes().parts_or_first(parts, c.a[i], c.b[i]);
@@ -125,6 +115,16 @@ void FoundContacts::clear() {
   returns.clear();
   landings.clear();
   hits.clear();
+}
+
+void set_place(Contacts& c, int i, const BodyPair& pair, const Vec2& normal, const ManifoldPoint& at,
+               const Vec2& of_a, const Vec2& of_b) {
+  c.a[i] = pair.first;
+  c.b[i] = pair.second;
+  c.normal[i] = normal;
+  c.arm_a[i] = at.point - of_a;
+  c.arm_b[i] = at.point - of_b;
+  c.gap[i] = at.gap;
 }
 
 double landing_speed(const World& world, const SurfaceLaw& law, double closing) {

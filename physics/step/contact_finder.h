@@ -20,6 +20,10 @@ namespace carom {
 // Whether up to so many bodies, or groups of them, move that a step may be divided often.
 [[nodiscard]] inline bool moves_few(const World& world) { return world.trajectories.islands().size() <= 16; }
 
+// Sets bodies, normal, arms and gap of contact i; the bodies' positions are those of their centres.
+void set_place(Contacts& c, int i, const BodyPair& pair, const Vec2& normal, const ManifoldPoint& at,
+               const Vec2& of_a, const Vec2& of_b);
+
 // m/s: the speed by which what lands is told from a contact that closes gently. Where few move it is an impact
 // also without rebound; not if nothing rubs there, as then the forces of all contacts stop it at once.
 [[nodiscard]] double landing_speed(const World& world, const SurfaceLaw& law, double closing);

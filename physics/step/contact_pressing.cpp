@@ -24,6 +24,8 @@ constexpr double kRounding = 256.0 * std::numeric_limits<double>::epsilon();
 // pair together within a step. With e = 1/2 the bounces left out would last an eighth of a step at most.
 constexpr double kLastShare = 0.03125;
 
+// Relative to the smaller body: forces that are nearer act at one point.
+constexpr double kSamePoint = 0.02;
 // Relative to the size: a contact that is open by more has ended.
 constexpr double kOpen = 0.02;
 
@@ -83,10 +85,17 @@ double ContactPressing::between(const World& world, const ContactMemory& memory,
   const auto take_off = [&](BodyIndex body, std::size_t k) {
     (body == a ? of_a : of_b) -= forces[k].a == body ? pushes_[k].of_a : pushes_[k].of_b;
   };
+  // By other points of the pair.
+  const double near = kSamePoint * smaller_size(world, a, b);
+  Eigen::Vector3d tilt_a = Eigen::Vector3d::Zero();
+  Eigen::Vector3d tilt_b = Eigen::Vector3d::Zero();
   std::size_t k = first_force_of(forces, a, b);
   for (; k < memory.support.size() && forces[k].a == a && forces[k].b == b; ++k) {
     take_off(a, k);
     take_off(b, k);
+    if ((forces[k].point - point).norm() <= near) continue;
+    tilt_a += pushes_[k].of_a;
+    tilt_b += pushes_[k].of_b;
   }
   if (world.is_immovable(a) != world.is_immovable(b) &&
       forces.size() <= static_cast<std::size_t>(kFewContactsOfScene)) {
@@ -100,8 +109,11 @@ double ContactPressing::between(const World& world, const ContactMemory& memory,
   }
   const Vec2 arm_a = point - world.trajectories.at_start(a).head<2>();
   const Vec2 arm_b = point - world.trajectories.at_start(b).head<2>();
-  return -((of_b - of_a).head<2>().dot(normal) + of_b[2] * cross(arm_b, normal) -
-           of_a[2] * cross(arm_a, normal));
+  const auto closing = [&](const Eigen::Vector3d& by_a, const Eigen::Vector3d& by_b) {
+    return -((by_b - by_a).head<2>().dot(normal) + by_b[2] * cross(arm_b, normal) -
+             by_a[2] * cross(arm_a, normal));
+  };
+  return closing(of_a, of_b) + std::max(0.0, closing(tilt_a, tilt_b));
 }
 
 double ContactPressing::rest_speed(const World& world, double press, double restitution) const {

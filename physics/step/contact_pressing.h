@@ -20,8 +20,9 @@ class ContactPressing {
   // After the contact forces have changed.
   void update(const World& world, const ContactMemory& memory);
 
-  // m/s²: how fast the pair a < b would close at this point along this normal without its own contact. In a
-  // scene with few contacts those bodies that nothing moves are one, such as the tiles of a floor.
+  // m/s²: how fast the pair a < b would close at this point along this normal without its own contacts, and
+  // faster where those at other points tilt it. In a scene with few contacts those bodies that nothing moves
+  // are one, such as the tiles of a floor.
   [[nodiscard]] double between(const World& world, const ContactMemory& memory, BodyIndex a, BodyIndex b,
                                const Vec2& point, const Vec2& normal) const;
   // m/s: a contact that `press` (m/s²) closes rests if it rebounds slower than this: the press would close it

@@ -66,11 +66,6 @@ Contact meeting_point(const World& world, BodyIndex a, BodyIndex b, const ShapeP
   return contact_again(shapes, a, pose_at_start(world, a), b, pose_at_start(world, b), earlier);
 }
 
-// Whether the step is divided at a time if impacts change supports then.
-bool divides(const auto& step, double time) {
-  return step.resting != nullptr && step.may_divide && step.h - time > kLeastPart * step.world.method.step;
-}
-
 }  // namespace
 
 bool EventDrivenImpacts::trajectories_run_on(const World& world, const RestingContacts* resting) {
@@ -193,7 +188,7 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
       find_landing();
     }
     const double supported = resting.supported();
-    if (landing && !(landing->time < supported && divides(step, landing->time))) landing.reset();
+    if (landing && !(landing->time < supported && may_end_at(step, landing->time))) landing.reset();
     if (landing && landing->time == 0.0) {
       resting.land(world, *landing);
       world.publish(0.0);
@@ -215,6 +210,10 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
     step.h = step.horizon = left - passed;
     begin_part(step, may_divide(part + 1), stops || landing);
   }
+}
+
+bool EventDrivenImpacts::may_end_at(const Step& step, double time) {
+  return step.resting != nullptr && step.may_divide && step.h - time > kLeastPart * step.world.method.step;
 }
 
 // Supports what is left of the step.
@@ -375,7 +374,7 @@ bool EventDrivenImpacts::comes_to_rest(const Step& step, BodyIndex a, BodyIndex 
 
 // The contact forces on what is hit were found for its motion before: they hold until now.
 void EventDrivenImpacts::note_disturbed(const Step& step, BodyIndex a, BodyIndex b, double time) {
-  if (divides(step, time) && step.resting->is_disturbed(step.world, a, b)) disturbed_ = time;
+  if (may_end_at(step, time) && step.resting->is_disturbed(step.world, a, b)) disturbed_ = time;
 }
 
 void EventDrivenImpacts::count_at_once(World& world, BodyIndex a, BodyIndex b, double time) {
@@ -404,7 +403,7 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, BodyIndex a, BodyInd
     const double left = exact ? 2.0 * rebound / (press * (1.0 - material.restitution)) : 0.0;
     if (step.resting == nullptr) world.note(&Notices::resting_since, now + left, {a, b});
     end_of_step_.add(a, b, true);
-    return divides(step, time);
+    return may_end_at(step, time);
   }
   if (guarded && rebound < pressed_in(world, a, b, step.h)) {
     if (step.resting == nullptr) world.note(&Notices::resting_since, now, {a, b});

@@ -60,6 +60,8 @@ class EventDrivenImpacts {
   [[nodiscard]] static bool trajectories_run_on(const World& world, const RestingContacts* resting);
   double process_with_supports(Step& step);
   void begin_part(const Step& step, bool may_divide, bool hit);
+  // Whether a part of the step ends at this time (s after the epoch) if supports change then.
+  [[nodiscard]] static bool may_end_at(const Step& step, double time);
   // Resolves events up to `target` (s after the epoch), except the landings awaited there. Returns the time
   // of a support that divides the step; everything before it is done.
   std::optional<double> process_until(const Step& step, double target, bool awaits_landing = false);

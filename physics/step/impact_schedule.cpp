@@ -169,8 +169,13 @@ void EventDrivenImpacts::schedule(const Step& step, BodyIndex a, BodyIndex b, co
       queue_.push({next.time, a, b, stamp_[a], stamp_[b]});
       break;
     case NextContact::kPressed:
-      if (step.resting == nullptr)
+      if (step.resting == nullptr) {
         world.note(&Notices::resting_since, world.trajectories.epoch() + next.time, {a, b});
+      } else if (next.time == last_impact_ && moves_few(world) && may_end_at(step, next.time)) {
+        // Hits have left them so: forces are to support them from now on.
+        disturbed_ = next.time;
+        break;
+      }
       [[fallthrough]];
     case NextContact::kPenetrating:
       end_of_step_.add(a, b, next.kind == NextContact::kPressed);

@@ -22,6 +22,8 @@ constexpr double kShallow = 0.5;
 // Relative to the size: a smaller penetration is rounding, and one beyond kDeep is removed in several steps.
 constexpr double kPenetration = 1e-12;
 constexpr double kDeep = 0.05;
+// Times the deepest of them: landings that are open by more are not closed as those are removed.
+constexpr double kPushes = 2.0;
 // Number of contacts up to which an island is solved exactly, always or where its contacts move by at most
 // kSlow of the change of a speed by forces in a step. A larger island has the tolerance kLargeMotion of
 // its speeds, at most kLargeSolved of that change: as it comes to rest its solution improves, each step
@@ -341,8 +343,14 @@ void RestingContacts::project_penetrations(World& world) {
     size = size > 0.0 ? std::min(size, of_pair) : of_pair;
   }
   if (!(deepest > 0.0)) return;
+  const int contacts = c.size();
+  add_landings(world, -kPushes * *std::min_element(c.gap.begin(), c.gap.end()));
   prepare(world);
-  if (has_large_island() && !(deepest > kLargePenetration)) return;
+  if (c.size() > contacts) prepared_ = false;
+  if (has_large_island() && !(deepest > kLargePenetration)) {
+    c.resize(contacts);
+    return;
+  }
   ContactSolverOptions options = solver_options();
   options.tolerance = kPenetration * size;
   options.enough = 0.0;
@@ -360,7 +368,25 @@ void RestingContacts::project_penetrations(World& world) {
   for (const IslandIndex k : world.trajectories.islands()) {
     if (world.trajectories.is_jointed(world.trajectories.members(k).front())) world.restore_joints(k);
   }
-  for (int i = 0; i < c.size(); ++i) c.gap[i] += contact_velocity(c, i, moved_).normal;
+  c.resize(contacts);
+  for (int i = 0; i < contacts; ++i) c.gap[i] += contact_velocity(c, i, moved_).normal;
+}
+
+// Adds the landings that are open by less than this (m) to the contacts: what is parted elsewhere is not to be
+// moved into each other there.
+void RestingContacts::add_landings(const World& world, double open) {
+  Contacts& c = found_.contacts;
+  for (const Landing& landing : found_.landings) {
+    const auto& [a, b, id] = landing;
+    const auto pose = [&](BodyIndex i) { return pose_at_start(world, i); };
+    const Manifold m = manifold_of(world.shapes(), a, pose(a), b, pose(b), id, open);
+    const int k = point_with(m, id);
+    if (k < 0 || m.points[static_cast<std::size_t>(k)].gap > open) continue;
+    const int i = c.size();
+    c.resize(i + 1);
+    set_place(c, i, {a, b}, m.normal, m.points[static_cast<std::size_t>(k)], pose(a).position,
+              pose(b).position);
+  }
 }
 
 // The work of the contact forces is taken along the actual paths, with all impacts on the way. Under the

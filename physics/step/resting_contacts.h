@@ -102,6 +102,7 @@ class RestingContacts {
   double hold(World& world, double h, double least);
   [[nodiscard]] int parts_at_once(const World& world, double h);
   void project_penetrations(World& world);
+  void add_landings(const World& world, double open);
   void strike(World& world, double h);
   void join_what_rests(World& world);
   bool stop_approaches(World& world, double h);

@@ -7,6 +7,7 @@
 
 #include "physics/run/run_setup.h"
 #include "physics/run/simulation.h"
+#include "tests/support/fine_step.h"
 #include "tests/support/scenes.h"
 
 // A body that lands with one corner after the other bounces ever faster until it rests, within few steps.
@@ -109,6 +110,28 @@ TEST(Clatter, BodiesThatLandOnEachOtherGainNothing) {
   upper.angle = -0.9687820421898614;
   for (const double step : {0.005, 0.0025})
     EXPECT_LT(largest_rise(on_a_table({lower, upper}, 0.0, 0.2, 0.0, step), 1.5), 1e-8) << step;
+}
+
+// Corners of a stack that a ball hits rattle, while what is above them presses on others.
+TEST(Clatter, CornersUnderALoadComeToRest) {
+  struct Case {
+    double height, speed, mass, restitution, friction, until;  // of the ball: m, m/s, kg
+  };
+  for (const Case& c :
+       {Case{0.3993, 2.865, 0.34, 0.2, 0.0, 0.45}, Case{0.1659, 2.859, 0.2124, 0.5, 0.3, 0.65}}) {
+    const auto at = [&](double h) {
+      std::vector<Body> bodies{test::disc("ball", {-0.5, c.height}, {c.speed, 0.0}, 0.05, c.mass)};
+      for (int k = 0; k < 3; ++k)
+        bodies.push_back(test::box(fmt::format("box-{}", k), {0.0, 0.075 + 0.15 * k}, {0.0, 0.0}, 0.2, 0.15));
+      return on_a_table(std::move(bodies), 0.0, c.restitution, c.friction, h);
+    };
+    for (const double step : {1.0 / 60.0, 1.0 / 120.0}) {
+      EXPECT_LT(test::off_from_fine_step(at, c.until, step), 3e-4) << c.speed << ' ' << step;
+      Simulation run(at(step));
+      run.advance_to(c.until);
+      EXPECT_LT(std::abs(run.ledger().penetration_correction), 1e-9) << c.speed << ' ' << step;
+    }
+  }
 }
 
 }  // namespace
