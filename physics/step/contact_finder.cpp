@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "physics/collision/tips.h"
-#include "physics/contact/contact_velocity.h"
 #include "physics/math/vectors.h"
 #include "physics/step/coming_to_rest.h"
 #include "physics/step/impact_cluster.h"
@@ -22,10 +20,6 @@ constexpr double kRounding = 1e-12;
 constexpr double kFast = 0.02;
 // So many bodies in a row may be pushed within a step.
 constexpr int kPushes = 2;
-// Relative to the size, and a cosine: a contact so near another of the last step with about the same normal
-// goes on from it.
-constexpr double kSamePlace = 0.02;
-constexpr double kSameNormal = 0.95;
 constexpr int kFirstCapacity = 64;  // for contacts
 // Of the smaller body's size, in a part of a step: what moves farther against another one meets it in time.
 constexpr double kMostPassing = 0.2;
@@ -48,31 +42,6 @@ void set_friction(const World& world, Contacts& c, int i, const SurfaceLaw& mate
   c.kinetic_friction[i] = material.kinetic_friction;
   c.rolling[i] = material.rolling_resistance * rolling_radius(world.shapes().shapes, touching);
   c.normal_impulse[i] = c.tangential_impulse[i] = c.rolling_impulse[i] = 0.0;
-}
-
-// Whether a point of a manifold takes over from one that was there a step before, though other features touch
-// now: a corner has come to the end of an edge. One of other parts that is still there goes on itself.
-bool continues(const World& world, const Manifold& m, const ManifoldPoint& at, const ContactForce& force) {
-  if (point_with(m, force.id) >= 0 ||
-      (at.point - force.point).norm() > kSamePlace * smaller_size(world, force.a, force.b) ||
-      m.normal.dot(force.normal) < kSameNormal)
-    return false;
-  if (parts_of(force.id) == parts_of(at.id)) return true;
-  const Manifold own = manifold_of(world.shapes(), force.a, pose_at_start(world, force.a), force.b,
-                                   pose_at_start(world, force.b), force.id, at.gap);
-  return point_with(own, force.id) < 0;
-}
-
-// Which of the pair's last forces, from `first` on, such a point goes on from.
-std::optional<std::size_t> force_before(const World& world, const std::vector<ContactForce>& forces,
-                                        std::size_t first, BodyIndex a, BodyIndex b, const Manifold& m,
-                                        const ManifoldPoint& at) {
-  std::optional<std::size_t> before;
-  for (std::size_t j = first; j < forces.size() && forces[j].a == a && forces[j].b == b; ++j) {
-    if (forces[j].id == at.id) return j;
-    if (continues(world, m, at, forces[j])) before = j;
-  }
-  return before;
 }
 
 // Whether contact forces held one of two bodies in the last step.
@@ -270,77 +239,43 @@ void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifo
   const World& world = step.world;
   FoundContacts& found = step.found;
   Contacts& c = found.contacts;
-  const auto& forces = step.memory.forces;
   const SurfaceLaw& material = world.material(m.contact(0), a, b);
-  const bool located = is_located(world, a, b, material);
+  const PairInStep pair{a, b, material, is_located(world, a, b, material), rounding, last};
   const ShapePair parts = world.shapes().parts_or_first(m.parts, a, b);
-  const bool euler_in_time = located && world.method.integrator == IntegratorId::kExplicitEuler &&
-                             forces.size() <= static_cast<std::size_t>(kFewContactsOfScene);
-  const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
   const double slip = kStuck * step.pressing.change_by_forces() + step.pressing.noise();
-  const double size = world.shapes().size[a] + world.shapes().size[b];
-  const double held = held_gap(world, a, b);
   bool hits_now = false;
   for (int k = 0; k < m.count; ++k) {
-    const ManifoldPoint& at = m.points[k];
+    const ManifoldPoint& at = m.points[static_cast<std::size_t>(k)];
     const int i = static_cast<int>(found.id.size());
     if (i == c.size()) c.resize(std::max(kFirstCapacity, 2 * i));
     set_place(c, i, {a, b}, m.normal, at, poses_[a].position, poses_[b].position);
-    const RowVelocity u = contact_velocity(c, i, world.state.v);
-    const double closing = -u.normal;
-    const double press = step.pressing.between(world, step.memory, a, b, at.point, m.normal);
-    const double rest = step.pressing.rest_speed(world, press, material.restitution);
-    const bool kept = is_kept({a, b, at.id});
-    const std::optional<std::size_t> before = force_before(world, forces, last, a, b, m, at);
-    const bool pressed_before = before && step.memory.support[*before][0] > 0.0;
-    const bool follows = step.pressing.follows_bounces();
-    const bool open = at.gap > (follows && pressed_before ? std::max(held, rounding) : rounding);
-    // Explicit Euler leaves a gap where what a body rests on turns away, and closes it within the next step.
-    const double follows_on = euler_in_time && pressed_before && open ? at.gap / step.length : 0.0;
-    // With impacts at their own time fast ones are left to the event queue.
-    const bool slow = kept || impact_speed(material, closing - follows_on) <= rest;
-    // Other contacts may press it within the step as hard as any force.
-    const double pressed = std::max(rest, by_forces);
-    const bool near = !located || !open ||
-                      (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= 2.0 * pressed);
-    const bool outside = at.gap > -held;
-    const bool comes_later = !pressed_before && at.gap > kFlush * size;
-    const bool bounces = may_bounce(world, a, b, pressed_before);
-    const bool begins_later = follows ? outside && (comes_later || (bounces && closing < -rest)) && !kept
-                                      : euler_in_time && comes_later;
-    // Without rebound what is as good as closed lands with all that does at this moment.
-    const bool closed = !open || material.restitution == 0.0;
-    const bool lands =
-        follows && outside && !kept &&
-        ((!open && !slow) || (closed && !pressed_before && landing_speed(world, material, closing) > rest));
-    // The event queue knows no pair that the error of the forces that held it has left inside.
-    if (follows && !open && outside && at.gap < -rounding) support(a, b, parts, rest);
-    if (!near || begins_later || lands || (located && !slow && at.gap >= -rounding)) {
-      if (begins_later || lands || (located && open && closing > rest)) found.landings.push_back({a, b, at.id});
-      hits_now |= located && !open && !slow && !lands;
-      continue;
-    }
+    const Touch touch = look_at(step, pair, m, k, i);
+    const double closing = -touch.velocity.normal;
+    if (touch.supports) support(a, b, parts, touch.rest);
+    if (touch.role == Touch::kLanding) found.landings.push_back({a, b, at.id});
+    hits_now |= touch.hits_now;
+    if (touch.role != Touch::kContact) continue;
     // A fast one that penetrates is projected out and left to the impacts at the step's end.
-    const bool hits = !slow && !located;
+    const bool hits = !touch.slow && !pair.located;
     if (hits && passes_by(world, a, b, {m.contact(k), -closing})) continue;
     found.turned_away.push_back(stays_away(step, a, b, m, at.gap, closing, hits, rounding));
     found.returns.push_back(0.0);
-    c.target[i] = slow || hits ? -found.room(i) / step.h : -std::numeric_limits<double>::infinity();
+    c.target[i] = touch.slow || hits ? -found.room(i) / step.h : -std::numeric_limits<double>::infinity();
     if (hits && (found.hits.empty() || found.hits.back() != std::pair(a, b))) found.hits.emplace_back(a, b);
     set_friction(world, c, i, material, m.parts);
-    c.sticks[i] = std::abs(u.tangential) <= slip ? 1 : 0;
+    c.sticks[i] = std::abs(touch.velocity.tangential) <= slip ? 1 : 0;
     found.guess.emplace_back(Eigen::Vector3d::Zero());
-    if (before) {
-      c.sticks[i] = forces[*before].sticks;
-      found.guess.back() = step.memory.support[*before];
+    if (touch.before) {
+      c.sticks[i] = step.memory.forces[*touch.before].sticks;
+      found.guess.back() = step.memory.support[*touch.before];
     }
-    found.old.push_back(pressed_before ? 1 : 0);
+    found.old.push_back(touch.pressed_before ? 1 : 0);
     found.id.push_back(at.id);
     found.point.push_back(at.point);
-    found.press.push_back(press);
-    found.rest.push_back(rest);
-    if (slow) support(a, b, parts, rest);
-    if (!located) keep_apart(a, b);
+    found.press.push_back(touch.press);
+    found.rest.push_back(touch.rest);
+    if (touch.slow) support(a, b, parts, touch.rest);
+    if (!pair.located) keep_apart(a, b);
   }
   if (hits_now && !supported_.empty() && supported_.back() == std::pair(a, b))
     hit_.push_back(supported_.back());

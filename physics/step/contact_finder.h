@@ -2,12 +2,16 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "physics/collision/pair_contact.h"
+#include "physics/contact/contact_rows.h"
 #include "physics/contact/contacts.h"
 #include "physics/model/convex.h"
 #include "physics/step/contact_pressing.h"
@@ -119,6 +123,26 @@ class ContactFinder {
     const ContactMemory& memory;
     FoundContacts& found;
   };
+  struct PairInStep {
+    BodyIndex a, b;
+    const SurfaceLaw& material;
+    bool located;      // its impacts are
+    double rounding;   // m
+    std::size_t last;  // its first force of the last step
+  };
+  struct Touch {
+    enum Role { kLeft, kLanding, kContact };  // kLeft: to the event queue
+    Role role = kLeft;
+    RowVelocity velocity{};             // m/s
+    double press = 0.0;                 // m/s², see ContactPressing::between
+    double rest = 0.0;                  // m/s, see ContactPressing::rest_speed
+    std::optional<std::size_t> before;  // its force in the last step
+    bool pressed_before = false;
+    bool slow = false;      // it may rest
+    bool supports = false;  // though it may be no contact
+    bool hits_now = false;
+  };
+  [[nodiscard]] Touch look_at(const Step& step, const PairInStep& pair, const Manifold& m, int k, int i) const;
   void support(BodyIndex a, BodyIndex b, const ShapePair& parts, double rest);
   void keep_apart(BodyIndex a, BodyIndex b);
   [[nodiscard]] bool is_located(const World& world, BodyIndex a, BodyIndex b, const SurfaceLaw& law) const;
