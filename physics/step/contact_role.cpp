@@ -75,8 +75,10 @@ ContactFinder::Touch ContactFinder::look_at(const Step& step, const PairInStep& 
   const double pressed = std::max(rest, by_forces);
   const bool near = !located || !open ||
                     (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= 2.0 * pressed);
-  const bool comes_later =
-      !touch.pressed_before && at.gap > kFlush * (world.shapes().size[a] + world.shapes().size[b]);
+  // What is about to land does so at its own moment, with all that lands then.
+  const bool about_to_land = open && moves_few(world) && closing > rest;
+  const double flush = kFlush * (world.shapes().size[a] + world.shapes().size[b]);
+  const bool comes_later = !touch.pressed_before && (at.gap > flush || about_to_land);
   const bool leaves = may_bounce(world, a, b, touch.pressed_before) && closing < -rest;
   const bool begins_later =
       follows ? outside && (comes_later || leaves) && !kept : euler_in_time && comes_later;

@@ -101,7 +101,7 @@ bool GaussContacts::settle(const GaussStep& step, double& ends) {
   const int most = have_limits ? kMostModesAtLimits : kMostModes;
   for (int round = 0; round < most; ++round) {
     while (!island_.solve(step)) {
-      if (!ask_less(island_)) return false;
+      if (!island_.take_back(step) || !ask_less(island_)) return false;
     }
     double until = step.h;
     if (change_modes(step, island_, until)) continue;

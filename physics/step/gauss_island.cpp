@@ -318,18 +318,35 @@ void GaussIsland::push(const GaussStep& step) {
   }
 }
 
+// Puts the forces on the trajectories and reads the contacts off the flights. False if one is not what it was,
+// or infinitely far off.
+bool GaussIsland::fly(const GaussStep& step) {
+  push(step);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!step.world.infinite_mass(bodies_[i])) sample(step, i);
+  }
+  return look(step) && std::all_of(closed_.begin(), closed_.end(), [](const GaussContact& c) {
+           return std::isfinite(c.end.gap) && std::isfinite(c.end.parting);
+         });
+}
+
+bool GaussIsland::take_back(const GaussStep& step) {
+  for (std::size_t i = 0; i < closed_.size(); ++i) closed_[i].at = asked_[i];
+  return fly(step);
+}
+
 bool GaussIsland::solve(const GaussStep& step) {
-  for (GaussContact& c : closed_) c.breaks_at = 0.0;
+  asked_.clear();
+  for (GaussContact& c : closed_) {
+    c.breaks_at = 0.0;
+    asked_.push_back(c.at);
+  }
   build(step);
   std::array<double, 2> before{std::numeric_limits<double>::infinity(),
                                std::numeric_limits<double>::infinity()};
   for (int round = 0; round < kMostRounds; ++round) {
     correct(step);
-    push(step);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (!step.world.infinite_mass(bodies_[i])) sample(step, i);
-    }
-    if (!look(step)) return false;
+    if (!fly(step)) return false;
     const double now = off(step, 0.0);
     if (!std::isfinite(now)) return false;
     const bool met = now <= 1.0 && round > 0;

@@ -100,6 +100,8 @@ class GaussIsland {
   bool begin(const GaussStep& step, std::span<const int> contacts);
   // Finds forces for the modes as they stand, and puts them on the trajectories. False if there are none.
   bool solve(const GaussStep& step);
+  // The forces from before that, and the flights under them, after it has found none.
+  bool take_back(const GaussStep& step);
   // Whether fewer of the contacts that press would hold their bodies as well.
   [[nodiscard]] bool is_redundant() const;
   // A face breaks away at this time, in s.
@@ -142,6 +144,7 @@ class GaussIsland {
                   double tangential);
   void correct(const GaussStep& step);
   void push(const GaussStep& step);
+  bool fly(const GaussStep& step);
 
   std::span<const int> contacts_;
   std::vector<GaussContact> closed_;
@@ -152,6 +155,8 @@ class GaussIsland {
   Eigen::Matrix3Xd constant_;           // accelerations by the constant forces
   std::array<Eigen::Matrix3Xd, 2> by_;  // likewise by those at the Gauss points
   Eigen::Matrix3Xd answers_;            // velocities, to a unit impulse
+  // By contact: at the Gauss points, before solve().
+  std::vector<std::array<GaussContact::AtPoint, 2>> asked_;
   int rows_ = 0;
   Eigen::MatrixXd matrix_;           // accelerations of the contacts, as they are at the end, to unit forces
   Eigen::MatrixXd wanted_, change_;  // by row, at the Gauss points
