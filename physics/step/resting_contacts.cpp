@@ -9,21 +9,12 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/vectors.h"
 #include "physics/step/contact_work.h"
-#include "physics/step/island_spin.h"
 #include "physics/step/pair_motion.h"
-#include "physics/step/penetrations.h"
 
 namespace carom {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// Of what presses a contact in a step, times the step: smaller penetrations are left to the contact forces.
-constexpr double kShallow = 0.5;
-// Relative to the size: a smaller penetration is rounding, and one beyond kDeep is removed in several steps.
-constexpr double kPenetration = 1e-12;
-constexpr double kDeep = 0.05;
-// Times the deepest of them: landings that are open by more are not closed as those are removed.
-constexpr double kPushes = 2.0;
 // Number of contacts up to which an island is solved exactly, always or where its contacts move by at most
 // kSlow of the change of a speed by forces in a step. A larger island has the tolerance kLargeMotion of
 // its speeds, at most kLargeSolved of that change: as it comes to rest its solution improves, each step
@@ -37,7 +28,6 @@ constexpr double kEnough = 100.0;
 constexpr double kLargeMotion = 0.1;
 constexpr double kLargeSolved = 1e-2;
 constexpr double kLargeRest = 1e-9;
-constexpr double kLargePenetration = 1e-6;  // relative to the size
 // Sweeps over a large island; more while contacts times sweeps stay below kLargeContactSweeps.
 constexpr int kLargeSweeps = 20;
 constexpr int kLargeContactSweeps = 20'000;
@@ -326,67 +316,6 @@ ContactSolverOptions RestingContacts::solver_options() const {
   options.large_coarsest = kLargeSolved * by_forces + rounding;
   options.slip_speed = kStuck * by_forces + options.tolerance;
   return options;
-}
-
-// Projects positions out of penetrations that the contact forces don't remove; velocities stay.
-void RestingContacts::project_penetrations(World& world) {
-  Contacts& c = found_.contacts;
-  double deepest = 0.0;  // of the size
-  double size = 0.0;     // m, the least of a penetrating pair
-  for (int i = 0; i < c.size(); ++i) {
-    const double shallow =
-        found_.is_new(i) ? 0.0
-                         : kShallow * found_.press[static_cast<std::size_t>(i)] * step_length_ * step_length_;
-    const double of_pair = world.shapes().size[c.a[i]] + world.shapes().size[c.b[i]];
-    if (!(c.gap[i] < -std::max(shallow, 16.0 * kPenetration * of_pair))) continue;
-    deepest = std::max(deepest, -c.gap[i] / of_pair);
-    size = size > 0.0 ? std::min(size, of_pair) : of_pair;
-  }
-  if (!(deepest > 0.0)) return;
-  const int contacts = c.size();
-  add_landings(world, -kPushes * *std::min_element(c.gap.begin(), c.gap.end()));
-  prepare(world);
-  if (c.size() > contacts) prepared_ = false;
-  if (has_large_island() && !(deepest > kLargePenetration)) {
-    c.resize(contacts);
-    return;
-  }
-  ContactSolverOptions options = solver_options();
-  options.tolerance = kPenetration * size;
-  options.enough = 0.0;
-  options.large_tolerance = kLargePenetration * size;
-  options.large_motion = nullptr;
-  project_prepared(world.mass(), c, deepest > kDeep ? kPenetrationFraction : 1.0, moved_, options, workspace_);
-  const double before = world.field().potential_energy(world.state.q);
-  for (BodyIndex i{0}; i < world.state.size(); ++i) {
-    if (world.infinite_mass(i) || moved_.col(i).isZero(0.0)) continue;
-    world.trajectories.set_pose(i, world.trajectories.at_start(i).head<3>() + moved_.col(i));
-    world.state.q.col(i) = world.trajectories.at_start(i).head<3>();
-  }
-  world.sums.ledger.penetration_correction += world.field().potential_energy(world.state.q) - before;
-  keep_angular_momentum(world, c, workspace_.islands, moved_, bodies_);
-  for (const IslandIndex k : world.trajectories.islands()) {
-    if (world.trajectories.is_jointed(world.trajectories.members(k).front())) world.restore_joints(k);
-  }
-  c.resize(contacts);
-  for (int i = 0; i < contacts; ++i) c.gap[i] += contact_velocity(c, i, moved_).normal;
-}
-
-// Adds the landings that are open by less than this (m) to the contacts: what is parted elsewhere is not to be
-// moved into each other there.
-void RestingContacts::add_landings(const World& world, double open) {
-  Contacts& c = found_.contacts;
-  for (const Landing& landing : found_.landings) {
-    const auto& [a, b, id] = landing;
-    const auto pose = [&](BodyIndex i) { return pose_at_start(world, i); };
-    const Manifold m = manifold_of(world.shapes(), a, pose(a), b, pose(b), id, open);
-    const int k = point_with(m, id);
-    if (k < 0 || m.points[static_cast<std::size_t>(k)].gap > open) continue;
-    const int i = c.size();
-    c.resize(i + 1);
-    set_place(c, i, {a, b}, m.normal, m.points[static_cast<std::size_t>(k)], pose(a).position,
-              pose(b).position);
-  }
 }
 
 // The work of the contact forces is taken along the actual paths, with all impacts on the way. Under the
