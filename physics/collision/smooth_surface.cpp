@@ -198,11 +198,12 @@ bool lies_over_seam(const ConvexShapes& shapes, ShapeIndex owner, const Pose& po
                     const Vec2& over, const Vec2& normal, double tolerance) {
   const double reach = shapes.radius[neighbour] + tolerance;
   if ((at - pose_neighbour.position).squaredNorm() > reach * reach) return false;
+  const Wedge there = wedge_at(shapes, neighbour, pose_neighbour, at, normal, tolerance);
+  if (there.where != Wedge::kSurface) return false;
   const std::optional<Vec2> face = face_at(shapes, toucher, pose_toucher, over, -normal, tolerance);
   if (!face || face->dot(normal) >= 0.0) return false;
   const Wedge here = wedge_at(shapes, owner, pose_owner, at, normal, tolerance);
-  const Wedge there = wedge_at(shapes, neighbour, pose_neighbour, at, normal, tolerance);
-  if (here.where != Wedge::kSurface || there.where != Wedge::kSurface) return false;
+  if (here.where != Wedge::kSurface) return false;
   const auto side_by_side = [&](const Wedge& first, const Wedge& second) {
     return opposite(first.high, second.low) && parallel(first.low, normal) && parallel(second.high, normal);
   };

@@ -287,12 +287,12 @@ double RestingContacts::find_forces(World& world, double h, double least) {
 }
 
 // Whether linear forces are likely to replace constant ones that are not found at once: those of few contacts
-// that neither rub nor roll.
+// that do not roll, nor break away from a larger friction.
 bool RestingContacts::may_guess_roughly(const World& world) const {
   const Contacts& c = found_.contacts;
   if (c.size() > kMostRough || choice_of(kIntegrators, world.method.integrator).order <= 2) return false;
   for (int i = 0; i < c.size(); ++i) {
-    if (c.static_friction[i] > 0.0 || c.kinetic_friction[i] > 0.0 || c.rolling[i] > 0.0) return false;
+    if (c.static_friction[i] > c.kinetic_friction[i] || c.rolling[i] > 0.0) return false;
   }
   return true;
 }
