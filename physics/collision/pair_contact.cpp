@@ -150,7 +150,7 @@ Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
   touch.point = between(on_b, rounding_b, touch.gap, touch.normal);
   touch.points[0] = {touch.point, touch.gap, feature_id(Ends::kVertices, closest.vertex_a, closest.vertex_b)};
   const bool corners = closest.edge_a < 0 && closest.edge_b < 0;
-  const bool blunt = closest.separation > 0.0 && closest.separation <= kBlunt * frame.scale;
+  const bool blunt = prefer_faces && closest.separation > 0.0 && closest.separation <= kBlunt * frame.scale;
   // Faces that touch from end to end: which of their corners are nearest is rounding.
   const bool end_to_end = corners && closest.separation > 0.0 && closest.separation <= kTip * frame.scale;
   if (prefer_faces ? corners || blunt : end_to_end) {
@@ -161,12 +161,12 @@ Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
     const bool share = faces.count == 2 && (prefer_faces || faces.flat);
     if (share && std::min(faces.points[0].gap, faces.points[1].gap) <= touch.gap + kTie * frame.scale)
       return faces;
-    if (prefer_faces && blunt) {
+    if (blunt) {
       if (faces.count == 1) faces.gap = faces.points[0].gap = edge.separation - (rounding_a + rounding_b);
       touch = faces;
     }
   }
-  if (!corners && !(prefer_faces && blunt)) clip_at(frame, closest, rounding_a, rounding_b, touch);
+  if (!corners && !blunt) clip_at(frame, closest, rounding_a, rounding_b, touch);
   const double near = (prefer_faces ? kTipOfFaces : kTip) * frame.scale;
   const bool in_one_point =
       touch.count == 1 ||

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "physics/collision/tips.h"
 #include "physics/math/vectors.h"
@@ -94,6 +95,14 @@ void set_place(Contacts& c, int i, const BodyPair& pair, const Vec2& normal, con
   c.arm_a[i] = at.point - of_a;
   c.arm_b[i] = at.point - of_b;
   c.gap[i] = at.gap;
+}
+
+std::optional<Contact> contact_at_start(const World& world, const Landing& landing) {
+  const auto& [a, b, id] = landing;
+  const Manifold m = manifold_of(world.shapes(), a, pose_at_start(world, a), b, pose_at_start(world, b), id,
+                                 std::numeric_limits<double>::infinity());
+  const int k = point_with(m, id);
+  return k >= 0 ? std::optional<Contact>(m.contact(k)) : std::nullopt;
 }
 
 double landing_speed(const World& world, const SurfaceLaw& law, double closing) {

@@ -53,6 +53,9 @@ struct Landing {
   return -1;
 }
 
+// Where it is at the trajectories' start, if the manifold has that point.
+[[nodiscard]] std::optional<Contact> contact_at_start(const World& world, const Landing& landing);
+
 // The contacts that may press in a step; the other arrays are parallel to them.
 struct FoundContacts {
   Contacts contacts;

@@ -27,6 +27,9 @@ struct ContactForce {
   bool sticks = false;            // did not slip
 };
 
+// Relative to the smaller body: contacts of a pair that are nearer to each other are at one place.
+inline constexpr double kSamePlace = 0.02;
+
 // Index of the first force of the pair a < b, or of where it would be, among forces in the order of (a, b).
 [[nodiscard]] inline std::size_t first_force_of(const std::vector<ContactForce>& forces, BodyIndex a,
                                                 BodyIndex b) {

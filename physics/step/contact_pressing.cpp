@@ -24,8 +24,6 @@ constexpr double kRounding = 256.0 * std::numeric_limits<double>::epsilon();
 // pair together within a step. With e = 1/2 the bounces left out would last an eighth of a step at most.
 constexpr double kLastShare = 0.03125;
 
-// Relative to the smaller body: forces that are nearer act at one point.
-constexpr double kSamePoint = 0.02;
 // Relative to the size: a contact that is open by more has ended.
 constexpr double kOpen = 0.02;
 
@@ -86,7 +84,7 @@ double ContactPressing::between(const World& world, const ContactMemory& memory,
     (body == a ? of_a : of_b) -= forces[k].a == body ? pushes_[k].of_a : pushes_[k].of_b;
   };
   // By other points of the pair.
-  const double near = kSamePoint * smaller_size(world, a, b);
+  const double near = kSamePlace * smaller_size(world, a, b);
   Eigen::Vector3d tilt_a = Eigen::Vector3d::Zero();
   Eigen::Vector3d tilt_b = Eigen::Vector3d::Zero();
   std::size_t k = first_force_of(forces, a, b);

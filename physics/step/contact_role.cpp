@@ -12,9 +12,7 @@
 namespace carom {
 namespace {
 
-// Relative to the size, and a cosine: a contact so near another of the last step with about the same normal
-// goes on from it.
-constexpr double kSamePlace = 0.02;
+// A cosine: a contact at the place of another of the last step, with about the same normal, goes on from it.
 constexpr double kSameNormal = 0.95;
 
 // Whether a point of a manifold takes over from one that was there a step before, though other features touch

@@ -183,7 +183,7 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
       if (step.may_divide) landing = resting.first_landing(world, resting.supported());
     };
     find_landing();
-    if (landing && resting.end_forces(world, landing->time)) {
+    if (landing && resting.end_part(world, landing->time)) {
       rebuild_all(step);
       find_landing();
     }

@@ -331,15 +331,15 @@ bool GaussIsland::fly(const GaussStep& step) {
 }
 
 bool GaussIsland::take_back(const GaussStep& step) {
-  for (std::size_t i = 0; i < closed_.size(); ++i) closed_[i].at = asked_[i];
+  for (std::size_t i = 0; i < closed_.size(); ++i) closed_[i].at = before_[i];
   return fly(step);
 }
 
 bool GaussIsland::solve(const GaussStep& step) {
-  asked_.clear();
+  before_.clear();
   for (GaussContact& c : closed_) {
     c.breaks_at = 0.0;
-    asked_.push_back(c.at);
+    before_.push_back(c.at);
   }
   build(step);
   std::array<double, 2> before{std::numeric_limits<double>::infinity(),

@@ -148,15 +148,14 @@ class GaussIsland {
 
   std::span<const int> contacts_;
   std::vector<GaussContact> closed_;
-  std::vector<bool> held_;              // by face
-  std::vector<BodyIndex> bodies_;       // in rising order
-  bool jointed_ = false;                // some of them
-  std::vector<Sampled> sampled_;        // by place in bodies_, as are the columns below
-  Eigen::Matrix3Xd constant_;           // accelerations by the constant forces
-  std::array<Eigen::Matrix3Xd, 2> by_;  // likewise by those at the Gauss points
-  Eigen::Matrix3Xd answers_;            // velocities, to a unit impulse
-  // By contact: at the Gauss points, before solve().
-  std::vector<std::array<GaussContact::AtPoint, 2>> asked_;
+  std::vector<bool> held_;                                    // by face
+  std::vector<BodyIndex> bodies_;                             // in rising order
+  bool jointed_ = false;                                      // some of them
+  std::vector<Sampled> sampled_;                              // by place in bodies_, as are the columns below
+  Eigen::Matrix3Xd constant_;                                 // accelerations by the constant forces
+  std::array<Eigen::Matrix3Xd, 2> by_;                        // likewise by those at the Gauss points
+  Eigen::Matrix3Xd answers_;                                  // velocities, to a unit impulse
+  std::vector<std::array<GaussContact::AtPoint, 2>> before_;  // by contact: at the Gauss points, before solve()
   int rows_ = 0;
   Eigen::MatrixXd matrix_;           // accelerations of the contacts, as they are at the end, to unit forces
   Eigen::MatrixXd wanted_, change_;  // by row, at the Gauss points

@@ -9,8 +9,8 @@ namespace carom {
 
 // Whether a contact that does not press closes, by more than `off` (m).
 [[nodiscard]] bool closes(const GaussStep& step, const GaussContact& c, double off = 0.0);
-// Where contacts ask for more than would hold their bodies, and can't all have it: one that presses least is to
-// press no more, and those that stick keep the friction that they have. False if none is left.
+// Where contacts are more than would hold their bodies, and no forces meet them all: those that stick keep the
+// friction that they have; else the one that presses least is to press no more. False if none is left.
 bool ask_less(GaussIsland& island);
 // Changes the modes that don't hold at the start; whether there were any. If not, `ends` (s) becomes no later
 // than the first moment at which a contact lets go, breaks away or stops slipping.

@@ -125,7 +125,7 @@ void RestingContacts::support_found(World& world, double h) {
   }
 }
 
-bool RestingContacts::end_forces(World& world, double time) {
+bool RestingContacts::end_part(World& world, double time) {
   if (!moves_few(world)) return false;
   if (!(time > kLeastEnd * whole_step_ && time < kWhole * supported_)) return false;
   supported_ = std::min((1.0 + kGoesOn) * time, supported_);
@@ -144,12 +144,9 @@ double RestingContacts::shortest_part(const World& world) const {
 bool RestingContacts::keep_what_sinks(const World& world) {
   bool any = false;
   for (const Landing& landing : found_.landings) {
-    const auto& [a, b, id] = landing;
-    const Manifold m = manifold_of(world.shapes(), a, pose_at_start(world, a), b, pose_at_start(world, b), id,
-                                   std::numeric_limits<double>::infinity());
-    const int k = point_with(m, id);
-    if (k < 0 || m.points[static_cast<std::size_t>(k)].gap > touch_tolerance(world, a, b)) continue;
-    if (world.parting_speed(a, b, m.contact(k)) >= 0.0 || hit_now(world, landing)) continue;
+    const std::optional<Contact> contact = contact_at_start(world, landing);
+    if (!contact || contact->gap > touch_tolerance(world, landing.a, landing.b)) continue;
+    if (world.parting_speed(landing.a, landing.b, *contact) >= 0.0 || hit_now(world, landing)) continue;
     finder_.keep(landing);
     any = true;
   }

@@ -53,7 +53,7 @@ class RestingContacts {
   [[nodiscard]] double supported() const { return supported_; }
   // Where few bodies move, ends the part at this time (s after the epoch), at which something lands: forces
   // keep contacts closed best at its end. False if that changes nothing.
-  bool end_forces(World& world, double time);
+  bool end_part(World& world, double time);
   // Likewise where impacts are not located in time, for a part of a step: at most `left` parts of kMostParts,
   // fewer where bodies in a crowd move or turn so fast that contacts found now soon are others. How many.
   int support_part(World& world, double step, int left);

@@ -47,7 +47,6 @@ bool leaves_or_sticks(const SurfaceLaw& law) { return law.restitution > 0.0 || l
 
 // m: the largest gap where forces press one of these bodies against another one.
 double held_apart(const World& world, const ContactMemory& memory, BodyIndex a, BodyIndex b) {
-  const Geometry& shapes = world.shapes();
   double apart = 0.0;
   for (std::size_t i = 0; i < memory.support.size(); ++i) {
     const ContactForce& f = memory.forces[i];
@@ -55,10 +54,7 @@ double held_apart(const World& world, const ContactMemory& memory, BodyIndex a, 
     if (!(memory.support[i][0] > 0.0) ||
         !((has(a) && !world.is_immovable(a)) || (has(b) && !world.is_immovable(b))))
       continue;
-    const Manifold m = manifold_of(shapes, f.a, pose_at_start(world, f.a), f.b, pose_at_start(world, f.b), f.id,
-                                   std::numeric_limits<double>::infinity());
-    const int k = point_with(m, f.id);
-    if (k >= 0) apart = std::max(apart, m.points[static_cast<std::size_t>(k)].gap);
+    if (const auto contact = contact_at_start(world, {f.a, f.b, f.id})) apart = std::max(apart, contact->gap);
   }
   return apart;
 }

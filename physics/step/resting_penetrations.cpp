@@ -1,7 +1,6 @@
 #include <algorithm>
-#include <limits>
+#include <optional>
 
-#include "physics/collision/pair_contact.h"
 #include "physics/contact/contact_velocity.h"
 #include "physics/step/island_spin.h"
 #include "physics/step/pair_motion.h"
@@ -72,15 +71,13 @@ void RestingContacts::project_penetrations(World& world) {
 void RestingContacts::add_landings(const World& world, double open) {
   Contacts& c = found_.contacts;
   for (const Landing& landing : found_.landings) {
+    const std::optional<Contact> contact = contact_at_start(world, landing);
+    if (!contact || contact->gap > open) continue;
     const auto& [a, b, id] = landing;
-    const auto pose = [&](BodyIndex i) { return pose_at_start(world, i); };
-    const Manifold m = manifold_of(world.shapes(), a, pose(a), b, pose(b), id, open);
-    const int k = point_with(m, id);
-    if (k < 0 || m.points[static_cast<std::size_t>(k)].gap > open) continue;
     const int i = c.size();
     c.resize(i + 1);
-    set_place(c, i, {a, b}, m.normal, m.points[static_cast<std::size_t>(k)], pose(a).position,
-              pose(b).position);
+    set_place(c, i, {a, b}, contact->normal, {contact->point, contact->gap, id},
+              pose_at_start(world, a).position, pose_at_start(world, b).position);
   }
 }
 

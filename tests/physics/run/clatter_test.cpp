@@ -116,9 +116,10 @@ TEST(Clatter, BodiesThatLandOnEachOtherGainNothing) {
 TEST(Clatter, CornersUnderALoadComeToRest) {
   struct Case {
     double height, speed, mass, restitution, friction, until;  // of the ball: m, m/s, kg
+    double off, overlap;                                       // at most; overlap corrections in J
   };
-  for (const Case& c :
-       {Case{0.3993, 2.865, 0.34, 0.2, 0.0, 0.45}, Case{0.1659, 2.859, 0.2124, 0.5, 0.3, 0.65}}) {
+  for (const Case& c : {Case{0.1659, 2.859, 0.2124, 0.5, 0.3, 0.65, 3e-4, 1e-9},
+                        Case{0.1104, 3.9236, 0.6604, 0.2, 0.3, 0.517, 1e-3, 5e-4}}) {
     const auto at = [&](double h) {
       std::vector<Body> bodies{test::disc("ball", {-0.5, c.height}, {c.speed, 0.0}, 0.05, c.mass)};
       for (int k = 0; k < 3; ++k)
@@ -126,10 +127,10 @@ TEST(Clatter, CornersUnderALoadComeToRest) {
       return on_a_table(std::move(bodies), 0.0, c.restitution, c.friction, h);
     };
     for (const double step : {1.0 / 60.0, 1.0 / 120.0}) {
-      EXPECT_LT(test::off_from_fine_step(at, c.until, step), 3e-4) << c.speed << ' ' << step;
+      EXPECT_LT(test::off_from_fine_step(at, c.until, step), c.off) << c.speed << ' ' << step;
       Simulation run(at(step));
       run.advance_to(c.until);
-      EXPECT_LT(std::abs(run.ledger().penetration_correction), 1e-9) << c.speed << ' ' << step;
+      EXPECT_LT(std::abs(run.ledger().penetration_correction), c.overlap) << c.speed << ' ' << step;
     }
   }
 }
