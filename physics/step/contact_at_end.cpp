@@ -27,7 +27,7 @@ void ContactsAtEnd::look(int i) {
   all_ = manifold_of(g, a_.body, a_.end, b_.body, b_.end, id(), std::numeric_limits<double>::infinity());
   // Where a neighbour continues the surface, the contact does not turn about the edge.
   const auto pose_of = [this](BodyIndex body) { return pose(body); };
-  bare_ = exposed_points(world_, a_.body, b_.body, all_, others_, pose_of, [](const ManifoldPoint&) {});
+  bare_ = exposed_points(world_, a_.body, b_.body, all_, others_, pose_of, [](const Contact&) {});
   if (bare_.count == 0 && all_.count == 1 &&
       turns_about_corner(world_, a_.body, b_.body, found_.contacts.normal[i], all_.contact(0), others_,
                          pose_of))

@@ -200,7 +200,7 @@ Manifold ContactFinder::exposed(const Step& step, BodyIndex a, BodyIndex b, cons
   const double size = world.shapes().size[a] + world.shapes().size[b];
   return exposed_points(
       world, a, b, m, neighbours_.of_pair(world, a, b), [&](BodyIndex body) { return poses_[body]; },
-      [&](const ManifoldPoint& continued) {
+      [&](const Contact& continued) {
         if (continued.gap <= kFlush * size || was_held(world, step.memory.forces, a, b))
           support(a, b, world.shapes().parts_or_first(m.parts, a, b), 0.0);
       });

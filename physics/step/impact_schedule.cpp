@@ -198,24 +198,28 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
     return trajectories.at(i, std::clamp(time, trajectories.start(i), trajectories.end(i)));
   };
   const auto pose = [&](BodyIndex i) { return shapes.pose(i, motion(i).head<3>()); };
-  // Whether they do, though the nearest point of two faces may be where another part continues one of them.
+  // Whether they do, though the nearest point of two faces that meet may be where another part continues one of
+  // them.
   const auto is_bare = [&](const Contact& contact, const ShapePair& parts, double tolerance) {
     if (!on_internal_edge(world, a, b, contact, near_, pose)) return true;
     const double margin = std::max(contact.gap, 0.0) + kEndOfFace * tolerance;
     const Manifold ends = manifold(shapes, a, parts.a, pose(a), b, parts.b, pose(b), margin);
-    return ends.count == 2 &&
-           exposed_points(world, a, b, ends, near_, pose, [](const ManifoldPoint&) {}).count > 0;
+    return ends.count == 2 && std::abs(cross(ends.normal, contact.normal)) <= kTogether &&
+           exposed_points(world, a, b, ends, near_, pose, [](const Contact&) {}).count > 0;
   };
-  if (!shapes.has_parts(a) && !shapes.has_parts(b)) {
-    const ShapePair parts = shapes.first_parts(a, b);
-    if (near_.empty()) return parts;
-    const Contact contact = contact_between(shapes, a, pose(a), b, pose(b));
-    return is_bare(contact, parts, touch_tolerance(world, a, b)) ? std::optional(parts) : std::nullopt;
-  }
   const Motion of_a = motion(a);
   const Motion of_b = motion(b);
   const Twist twist_a{of_a.segment<2>(3), of_a[5]};
   const Twist twist_b{of_b.segment<2>(3), of_b[5]};
+  const auto approach = [&](const ShapePair& parts, double tolerance) {
+    return approach_of(shapes, a, of_a.head<3>(), twist_a, b, of_b.head<3>(), twist_b, tolerance, parts);
+  };
+  if (!shapes.has_parts(a) && !shapes.has_parts(b)) {
+    const ShapePair parts = shapes.first_parts(a, b);
+    if (near_.empty()) return parts;
+    const double tolerance = touch_tolerance(world, a, b);
+    return is_bare(approach(parts, tolerance).contact, parts, tolerance) ? std::optional(parts) : std::nullopt;
+  }
   // No less than that of the search, which has found them here.
   const double flight = std::min(trajectories.end(a), trajectories.end(b)) -
                         std::max(trajectories.start(a), trajectories.start(b));
@@ -225,8 +229,7 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
   double fastest = kNever;
   shapes.each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
     const ShapePair parts{part_a, part_b};
-    const Approach at =
-        approach_of(shapes, a, of_a.head<3>(), twist_a, b, of_b.head<3>(), twist_b, tolerance, parts);
+    const Approach at = approach(parts, tolerance);
     if (at.contact.gap > closed_gap(world, step.resting, a, b, tolerance) || !(at.speed < fastest)) return;
     const bool rests = a < b ? rules.rests(a, b, parts) : rules.rests(b, a, {part_b, part_a});
     if (rests && -at.speed <= pressed_in(world, a, b, step.h)) return;

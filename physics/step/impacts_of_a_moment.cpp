@@ -87,7 +87,7 @@ bool EventDrivenImpacts::find_touches(const Step& step, BodyIndex a, BodyIndex b
         approach_of(shapes, a, qa, {of_a.segment<2>(3), of_a[5]}, b, qb, {of_b.segment<2>(3), of_b[5]},
                     tolerance, shapes.parts_or_first(last.parts, a, b))
             .contact;
-    if ((tips.point - last.point).norm() > margin) return;
+    if ((tips.point - last.point).norm() > margin || on_internal_edge(world, a, b, tips, near_, pose)) return;
     if (count == 2) found_.pop_back();
     found_.back() = tips;
   });

@@ -133,7 +133,7 @@ template <class PoseOf>
   return !on_internal_edge(world, a, b, halfway, others, pose);
 }
 
-// The points of a manifold that no other part continues; calls continued(point) for each that one does. Where
+// The points of a manifold that no other part continues; calls continued(contact) for each that one does. Where
 // one of two goes so, the nearest features are a seam and the face over it, while what may land there is a
 // corner of the one on the face of the other: its normal is that of this face.
 template <class PoseOf, class Continued>
@@ -145,8 +145,9 @@ template <class PoseOf, class Continued>
   left.count = 0;
   for (int k = 0; k < m.count; ++k) {
     const ManifoldPoint& at = m.points[static_cast<std::size_t>(k)];
-    if (on_internal_edge(world, a, b, m.contact(k), others, pose)) {
-      continued(at);
+    const Contact contact = m.contact(k);
+    if (on_internal_edge(world, a, b, contact, others, pose)) {
+      continued(contact);
     } else {
       left.points[static_cast<std::size_t>(left.count++)] = at;
     }

@@ -119,8 +119,8 @@ std::optional<Contact> RestingContacts::hit_now(const World& world, const Landin
   const auto pose = [&](BodyIndex i) { return pose_at_start(world, i); };
   const Manifold all =
       manifold_of(world.shapes(), a, pose(a), b, pose(b), id, std::numeric_limits<double>::infinity());
-  const Manifold m = exposed_points(world, a, b, all, finder_.neighbours().of_pair(world, a, b), pose,
-                                    [](const ManifoldPoint&) {});
+  const Manifold m =
+      exposed_points(world, a, b, all, finder_.neighbours().of_pair(world, a, b), pose, [](const Contact&) {});
   const int k = point_with(m, id);
   if (k < 0) return std::nullopt;
   // The point that has landed, which need not be the deepest.

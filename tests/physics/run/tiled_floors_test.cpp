@@ -81,5 +81,39 @@ TEST(TiledFloors, AnEndThatComesToRestIsNoCollapse) {
   }
 }
 
+// The front corner of a box is at the seam of two thin walls when a step ends. They have no sides that could
+// tell along which normal the corner meets the second one: it was caught there.
+TEST(TiledFloors, ABoxSlidesOverTheSeamOfThinWalls) {
+  const auto after = [](double seam, double restitution, IntegratorId integrator, double step, double time) {
+    RunSetup s = test::setup_with({}, restitution, 0.0);
+    const auto wall = [](const std::string& name, double from, double to) {
+      return test::fixed(name, Wall{to - from}, {0.5 * (from + to), 0.0});
+    };
+    s.scene.bodies = {wall("left", -1.0, seam), wall("right", seam, 4.0),
+                      test::box("box", {0.3, 0.1}, {0.5, 0.0}, 0.3, 0.2)};
+    s.scene.forces.gravity = {0.0, -9.81};
+    s.method = {integrator, ImpactsId::kLocated, ContactsId::kLasting, step};
+    Simulation run(s);
+    run.advance_to(time);
+    return (Eigen::Vector<double, 6>() << run.state().q.col(2), run.state().v.col(2)).finished();
+  };
+  for (const IntegratorId integrator :
+       {IntegratorId::kRk4, IntegratorId::kVelocityVerlet, IntegratorId::kSemiImplicitEuler}) {
+    for (const double restitution : {0.0, 0.3, 1.0}) {
+      for (const double step : {1.0 / 60.0, 0.01, 1.0 / 120.0, 1.0 / 240.0, 1.0 / 960.0}) {
+        for (const double time : {0.5, 1.0, 2.0}) {
+          for (const double half : {0.15, -0.15}) {
+            const Eigen::Vector<double, 6> end =
+                after(0.3 + 0.5 * time + half, restitution, integrator, step, time + 0.25);
+            const Eigen::Vector<double, 6> expected{0.3 + 0.5 * (time + 0.25), 0.1, 0.0, 0.5, 0.0, 0.0};
+            EXPECT_LT((end - expected).cwiseAbs().maxCoeff(), 1e-9)
+                << "e = " << restitution << ", h = " << step << ", " << time << " s, " << half << " m";
+          }
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom
