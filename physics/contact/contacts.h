@@ -17,7 +17,7 @@ struct Contacts {
   std::vector<BodyIndex> a, b;           // bodies
   std::vector<Vec2> normal;              // unit vectors from A to B
   std::vector<Vec2> arm_a, arm_b;        // r_A and r_B, m
-  std::vector<double> gap;               // m, negative for a penetration; only the projection reads it
+  std::vector<double> gap;               // m, negative for a penetration
   std::vector<double> target;            // b_n: least normal velocity after the solve, m/s
   std::vector<double> slip_target;       // b_t: the tangential velocity after the solve that is no slip, m/s
   std::vector<double> static_friction;   // μ_s, dimensionless; holds while the contact sticks
@@ -28,6 +28,7 @@ struct Contacts {
   std::vector<double> rolling_impulse;                     // N m s; likewise
 
   [[nodiscard]] int size() const { return static_cast<int>(a.size()); }
+  [[nodiscard]] bool rubs(int i) const { return static_friction[i] > 0.0; }  // μ_s >= μ_k
 
   // New entries are frictionless, without impulse, and touch at targets 0.
   void resize(int n) {

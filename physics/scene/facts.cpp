@@ -33,7 +33,7 @@ void look_at_materials(const Scene& scene, const std::vector<Body>& bodies, Scen
       const Material& m = *surface++;
       const bool can_collide = a.moving > 0 && (&a == &b ? a.all > 1 : b.all > 0);
       if (!can_collide) continue;
-      facts.rub = facts.rub || m.kinetic_friction > 0.0;
+      facts.rub = facts.rub || m.static_friction > 0.0;
       facts.yield = facts.yield || m.restitution < 1.0;
       facts.sticks = facts.sticks || m.sticks;
     }

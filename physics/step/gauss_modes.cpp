@@ -214,7 +214,7 @@ bool change_modes(const GaussStep& step, GaussIsland& island, double& ends) {
     const double first = c.at[0].normal_force;
     const double second = c.at[1].normal_force;
     enter(part_held(first, second, rounding), [&] { c.presses = false; });
-    if (!c.presses || step.found.contacts.kinetic_friction[c.contact] == 0.0) continue;
+    if (!c.presses || !step.found.contacts.rubs(c.contact)) continue;
     const auto set_face = [&](bool sticks, double slips, bool at_limit) {
       for (GaussContact& other : island.closed()) {
         if (other.face != c.face) continue;

@@ -67,16 +67,14 @@ GapBounds gap_bounds(const GaussStep& step, int i) {
   return {std::max(kClosed * shut, left), widest, widest * (step.h / whole) * (step.h / whole)};
 }
 
-bool rubs(const GaussStep& step, const GaussContact& c) {
-  return step.found.contacts.kinetic_friction[c.contact] > 0.0;
-}
+bool rubs(const GaussStep& step, const GaussContact& c) { return step.found.contacts.rubs(c.contact); }
 
 }  // namespace
 
 bool GaussIsland::begin(const GaussStep& step, std::span<const int> contacts) {
   contacts_ = contacts;
-  const bool rub = std::any_of(contacts.begin(), contacts.end(),
-                               [&](int i) { return step.found.contacts.kinetic_friction[i] > 0.0; });
+  const bool rub =
+      std::any_of(contacts.begin(), contacts.end(), [&](int i) { return step.found.contacts.rubs(i); });
   if (contacts.size() > (rub ? kMostRubbing : kMostSmooth)) return false;
   if (step.h < kShortest * step.world.method.step || !list(step)) return false;
   constant_.resize(3, static_cast<Eigen::Index>(bodies_.size()));

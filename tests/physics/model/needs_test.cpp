@@ -78,12 +78,13 @@ TEST(Needs, FrictionOnlyBetweenMaterialsThatCanMeet) {
   EXPECT_FALSE(needs(s, Part::kFriction));
   s.bodies[1].material = "rough";
   EXPECT_TRUE(needs(s, Part::kFriction));
-  // Static friction or tangential restitution alone do nothing.
+  // Tangential restitution alone does nothing; static friction holds what rests.
   s = plain();
-  s.materials[0].static_friction = 0.5;
   s.materials[0].tangential_restitution = 1.0;
   EXPECT_FALSE(needs(s, Part::kFriction));
   EXPECT_FALSE(needs(s, Part::kRotation));
+  s.materials[0].static_friction = 0.5;
+  EXPECT_TRUE(needs(s, Part::kFriction));
 }
 
 TEST(Needs, ForcesInFlight) {

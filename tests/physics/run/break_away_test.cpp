@@ -206,5 +206,30 @@ TEST(BreakAway, OfARowThatIsPushed) {
   }
 }
 
+// Of a surface that rubs only while it sticks: the foot of a leaning block stays in its place, as it does with
+// kinetic friction beside, until the block has turned so far that it slips.
+TEST(BreakAway, AFootStandsOnStaticFrictionAlone) {
+  const double width = 0.2;
+  const double height = 0.4;
+  const double leaning = 0.8;  // rad
+  const auto foot_after = [&](double kinetic, double step) {
+    const Vec2 foot(0.5 * width, -0.5 * height);
+    Body body = test::disc("block", -turned_by(-leaning, foot), {0.0, 0.0}, 0.1, 1.0);
+    body.shape = Box{width, height};
+    body.angle = -leaning;
+    RunSetup s = test::setup_with({test::fixed("floor", Wall{}, {0.0, 0.0}), body}, 0.0, kinetic);
+    s.scene.materials.front().static_friction = 1.0;
+    s.scene.forces.gravity = {0.0, -kG};
+    s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+    Simulation run(s);
+    run.advance_to(0.1);
+    return Vec2(run.state().q.col(1).head<2>() + turned_by(run.state().q(2, 1), foot));
+  };
+  for (const double kinetic : {0.0, 0.5}) {
+    EXPECT_LT(foot_after(kinetic, 1.0 / 60.0).norm(), 1e-8) << kinetic;
+    EXPECT_LT(foot_after(kinetic, 1.0 / 960.0).norm(), 1e-12) << kinetic;
+  }
+}
+
 }  // namespace
 }  // namespace carom
