@@ -91,6 +91,7 @@ void RestingContacts::support(World& world, double h, bool may_divide, bool hit)
   finder_.begin_part(world, may_divide ? std::span<const ContactForce>() : memory_.forces);
   for (const Landing& landing : together_) finder_.keep(landing);
   together_.clear();
+  linear_.begin_part(world.trajectories.epoch(), whole_step_);
   support_found(world, h);
   for (int k = 0; may_divide && k < kMostSinking && keep_what_sinks(world); ++k) support_found(world, h);
 }
@@ -101,7 +102,6 @@ void RestingContacts::support_found(World& world, double h) {
   step_length_ = may_divide_ ? whole_step_ : std::max(h, unit);
   find_contacts(world, h);
   supported_ = h;
-  linear_.begin_part(world.trajectories.epoch(), whole_step_);
   if (may_divide_) {
     supported_ = first_break(world, found_.contacts, h);
     find_touches_near_ends(world, found_, finder_.neighbours(), supported_, near_ends_);
