@@ -207,6 +207,8 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
     return ends.count == 2 && std::abs(cross(ends.normal, contact.normal)) <= kTogether &&
            exposed_points(world, a, b, ends, near_, pose, [](const Contact&) {}).count > 0;
   };
+  const bool single = !shapes.has_parts(a) && !shapes.has_parts(b);
+  if (single && near_.empty()) return shapes.first_parts(a, b);
   const Motion of_a = motion(a);
   const Motion of_b = motion(b);
   const Twist twist_a{of_a.segment<2>(3), of_a[5]};
@@ -214,9 +216,8 @@ std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, B
   const auto approach = [&](const ShapePair& parts, double tolerance) {
     return approach_of(shapes, a, of_a.head<3>(), twist_a, b, of_b.head<3>(), twist_b, tolerance, parts);
   };
-  if (!shapes.has_parts(a) && !shapes.has_parts(b)) {
+  if (single) {
     const ShapePair parts = shapes.first_parts(a, b);
-    if (near_.empty()) return parts;
     const double tolerance = touch_tolerance(world, a, b);
     return is_bare(approach(parts, tolerance).contact, parts, tolerance) ? std::optional(parts) : std::nullopt;
   }
