@@ -25,6 +25,8 @@ bool outruns_joints(Flights& f, const Flights::Island& island) {
   }
   const double duration = island.end - island.start;
   if (change * duration <= kMostTurns * speed) return false;
+  // So little that forces of contacts may bring all to rest at both ends.
+  if (change * duration * duration <= size) return false;
   // What contact forces hold so still goes round nothing.
   constexpr double kStill = 1e-12;
   if (speed * duration <= kStill * size) return false;

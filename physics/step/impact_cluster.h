@@ -28,18 +28,19 @@ inline constexpr std::size_t kMostTogether = 32;
          !law.sticks;
 }
 
-// Keeps, of items with ends a and b, those that bodies which move connect with the pair of a and b; if there
-// are more than kMostTogether, one more of them.
+// Keeps, of items with ends a and b, those that bodies which move, and joints, connect with the pair of a and
+// b; if there are more than kMostTogether, one more of them.
 template <class Item>
 void keep_connected(const World& world, BodyIndex a, BodyIndex b, std::vector<Item>& items) {
   std::size_t kept = 0;
   const auto reaches = [&](BodyIndex body) {
+    const auto moves = [&](BodyIndex other) { return world.move_each_other(other, body); };
     const auto has_it = [&](const Item& item) {
       const auto [c, d] = ends_of(item);
-      return c == body || d == body;
+      return moves(c) || moves(d);
     };
     if (world.infinite_mass(body)) return false;
-    return body == a || body == b ||
+    return moves(a) || moves(b) ||
            std::any_of(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(kept), has_it);
   };
   for (bool grows = true; grows;) {

@@ -96,7 +96,7 @@ bool EventDrivenImpacts::find_touches(const Step& step, BodyIndex a, BodyIndex b
   return true;
 }
 
-// Outwards from the pair, over bodies that move.
+// Outwards from the pair, over bodies that move and what is joined to them.
 void EventDrivenImpacts::find_touching(const Step& step, BodyIndex a, BodyIndex b, double time) {
   const World& world = step.world;
   cluster_.clear();
@@ -104,6 +104,11 @@ void EventDrivenImpacts::find_touching(const Step& step, BodyIndex a, BodyIndex 
   for (std::size_t k = 0; k < reached_.size(); ++k) {
     const BodyIndex body = reached_[k];
     if (world.infinite_mass(body)) continue;
+    if (world.trajectories.is_jointed(body)) {
+      for (const BodyIndex member : world.trajectories.members(world.trajectories.island_of(body))) {
+        if (std::find(reached_.begin(), reached_.end(), member) == reached_.end()) reached_.push_back(member);
+      }
+    }
     near_.clear();
     grid_.each_near(body, [&](BodyIndex other) { near_.push_back(other); });
     for (const BodyIndex other : near_) {

@@ -353,7 +353,13 @@ bool RestingContacts::is_disturbed(const World& world, BodyIndex a, BodyIndex b)
   const auto is_off = [&](BodyIndex i) {
     return pushes(i) || (moves_few(world) && !world.is_immovable(i) && lands(i));
   };
-  return is_few() && (is_off(a) || is_off(b));
+  // With a body, what is joined to it.
+  const auto any_off = [&](BodyIndex i) {
+    if (!world.trajectories.is_jointed(i)) return is_off(i);
+    const auto& members = world.trajectories.members(world.trajectories.island_of(i));
+    return std::any_of(members.begin(), members.end(), is_off);
+  };
+  return is_few() && (any_off(a) || any_off(b));
 }
 
 void RestingContacts::release(World& world) {

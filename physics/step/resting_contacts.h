@@ -108,6 +108,7 @@ class RestingContacts {
   bool stop_approaches(World& world, double h);
   void let_leave(const World& world);
   double find_forces(World& world, double h, double least);
+  double find_best_forces(World& world, double h, double least);
   [[nodiscard]] bool may_guess_roughly(const World& world) const;
   double guess_forces(World& world, double h, double accuracy);
   double improve_forces(World& world, double h, double least);
@@ -142,6 +143,7 @@ class RestingContacts {
   Contacts at_start_;                            // as found
   std::vector<Eigen::Vector3d> support_before_;  // N, N and N m, likewise
   GuessedFlight flight_;
+  ContactSolverReport guessed_;             // of the last constant forces
   Eigen::Matrix3Xd before_, after_, free_;  // velocities, m/s and rad/s
   Eigen::Matrix3Xd moved_;                  // m, rad; or per s
   std::vector<std::uint8_t> sticks_;

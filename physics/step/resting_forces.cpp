@@ -43,8 +43,8 @@ constexpr int kMostBreaks = 3;
 // one, if it is so many times larger than that of the round before.
 constexpr double kUnsolved = 0.01;
 constexpr double kWorse = 16.0;
-// Corrections of the contact forces where the integrator's flight is not linear in them.
-constexpr int kMostRounds = 12;
+// Corrections of the contact forces where the integrator's flight is not linear in them; joints take as many.
+constexpr int kMostRounds = 60;
 // Of the full moment of rolling resistance: a difference from it.
 constexpr double kFullMoment = 1e-9;
 // Of the change of a speed by forces in a step: a smaller residual is not worth a notice.
@@ -272,6 +272,14 @@ bool RestingContacts::is_unsolved(const ContactSolverReport& report) const {
 // Finds the forces of a part of h s, constant or linear, on the trajectories. Returns for how long their
 // contacts stay what they are.
 double RestingContacts::find_forces(World& world, double h, double least) {
+  const double holds = find_best_forces(world, h, least);
+  if (!linear_.replaces_all(found_.contacts))
+    report_residual(world, guessed_, pressing_.change_by_forces(), solver_options().tolerance);
+  return holds;
+}
+
+// Likewise.
+double RestingContacts::find_best_forces(World& world, double h, double least) {
   at_start_ = found_.contacts;
   support_before_ = found_.guess;
   if (may_guess_roughly(world)) {
@@ -331,7 +339,7 @@ double RestingContacts::guess_forces(World& world, double h, double accuracy) {
     if (off <= accuracy * pressing_.change_by_forces()) break;
   }
   if (!has_large_island() && is_unsolved(report)) report = solve_going_straight_on(world, h, options);
-  report_residual(world, report, pressing_.change_by_forces(), options.tolerance);
+  guessed_ = report;
   return off;
 }
 

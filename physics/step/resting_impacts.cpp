@@ -144,7 +144,8 @@ bool RestingContacts::awaits(BodyIndex a, BodyIndex b) const {
 void RestingContacts::list_landing_with(const World& world, const Landing& landing, const SurfaceLaw& law) {
   together_.assign(1, landing);
   const auto shares = [&](BodyIndex body, const Landing& other) {
-    return !world.infinite_mass(body) && (other.a == body || other.b == body);
+    return !world.infinite_mass(body) &&
+           (world.move_each_other(other.a, body) || world.move_each_other(other.b, body));
   };
   const auto is_listed = [&](const Landing& other) {
     return std::find(together_.begin(), together_.end(), other) != together_.end();

@@ -63,6 +63,12 @@ struct World {
   [[nodiscard]] bool move_as_one(BodyIndex a, BodyIndex b) const {
     return a == b || (is_immovable(a) && is_immovable(b)) || trajectories.welded().are_one(a, b);
   }
+  // Whether an impulse on one of them moves the other one at once: they are one, or joints connect them. Not
+  // where they move as one body: that is hit where the pressure on all of it acts (pressed_contact).
+  [[nodiscard]] bool move_each_other(BodyIndex a, BodyIndex b) const {
+    return a == b || (trajectories.is_jointed(a) && trajectories.island_of(a) == trajectories.island_of(b) &&
+                      !move_as_one(a, b));
+  }
   // 1 where a moves as one with c and b with d, -1 where a does with d and b with c, 0 otherwise.
   [[nodiscard]] double same_sides(BodyIndex a, BodyIndex b, BodyIndex c, BodyIndex d) const {
     if (move_as_one(a, c) && move_as_one(b, d)) return 1.0;
