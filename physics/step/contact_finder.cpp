@@ -198,12 +198,20 @@ void ContactFinder::let_fast_bodies_push(World& world) {
 Manifold ContactFinder::exposed(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m) {
   const World& world = step.world;
   const double size = world.shapes().size[a] + world.shapes().size[b];
-  return exposed_points(
-      world, a, b, m, neighbours_.of_pair(world, a, b), [&](BodyIndex body) { return poses_[body]; },
-      [&](const Contact& continued) {
-        if (continued.gap <= kFlush * size || was_held(world, step.memory.forces, a, b))
-          support(a, b, world.shapes().parts_or_first(m.parts, a, b), 0.0);
-      });
+  const auto pose = [&](BodyIndex body) { return poses_[body]; };
+  // Whether it is not a body that moves on at once that continues the surface.
+  const auto stays = [&](const Contact& contact) {
+    staying_.clear();
+    for (const BodyIndex other : neighbours_.of_pair(world, a, b)) {
+      const double speed = std::min(most_speed(world, a, other), most_speed(world, b, other));
+      if (speed * step.h <= kFlush * size) staying_.push_back(other);
+    }
+    return on_internal_edge(world, a, b, contact, staying_, pose);
+  };
+  return exposed_points(world, a, b, m, neighbours_.of_pair(world, a, b), pose, [&](const Contact& continued) {
+    if (continued.gap <= kFlush * size || (was_held(world, step.memory.forces, a, b) && stays(continued)))
+      support(a, b, world.shapes().parts_or_first(m.parts, a, b), 0.0);
+  });
 }
 
 // Tips that meet do so along the middle of their normals, as in impacts. What slides along a face past a corner

@@ -174,6 +174,7 @@ class ContactFinder {
   std::vector<Pose> poses_;
   std::vector<double> reach_;         // m: how far each body may move within a whole step
   std::vector<double> pushed_reach_;  // scratch
+  std::vector<BodyIndex> staying_;    // likewise
 };
 
 }  // namespace carom

@@ -61,8 +61,6 @@ ContactFinder::Touch ContactFinder::look_at(const Step& step, const PairInStep& 
   const bool follows = step.pressing.follows_bounces();
   const bool open = at.gap > (follows && touch.pressed_before ? std::max(held, rounding) : rounding);
   const bool outside = at.gap > -held;
-  // The event queue knows no pair that the error of the forces that held it has left inside.
-  touch.supports = follows && !open && outside && at.gap < -rounding;
   // Explicit Euler leaves a gap where what a body rests on turns away, and closes it within the next step.
   const bool euler_in_time = located && world.method.integrator == IntegratorId::kExplicitEuler &&
                              step.memory.forces.size() <= static_cast<std::size_t>(kFewContactsOfScene);
@@ -78,6 +76,9 @@ ContactFinder::Touch ContactFinder::look_at(const Step& step, const PairInStep& 
   const double flush = kFlush * (world.shapes().size[a] + world.shapes().size[b]);
   const bool comes_later = !touch.pressed_before && (at.gap > flush || about_to_land);
   const bool leaves = may_bounce(world, a, b, touch.pressed_before) && closing < -rest;
+  // The event queue knows no pair that the error of the forces that held it has left inside, nor one that a hit
+  // parts and forces on others bring back at once.
+  touch.supports = follows && !open && outside && (at.gap < -rounding || (leaves && touch.pressed_before));
   const bool begins_later =
       follows ? outside && (comes_later || leaves) && !kept : euler_in_time && comes_later;
   // Without rebound what is as good as closed lands with all that does at this moment.

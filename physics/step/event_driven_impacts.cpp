@@ -344,8 +344,10 @@ bool EventDrivenImpacts::resolve_alone(const Step& step, BodyIndex a, BodyIndex 
     search_all(step);
     return false;
   }
-  const bool divides = classify_rebound(step, a, b, contact, rests, time, guarded);
+  bool divides = classify_rebound(step, a, b, contact, rests, time, guarded);
   note_disturbed(step, a, b, time);
+  // Where few move, all that closes then stops at once, and not by turns whose number rounding decides.
+  if (disturbed_ && moves_few(world) && !(law.restitution > 0.0)) divides = true;
   count_at_once(world, a, b, time);
   const IslandIndex island_a = world.trajectories.island_of(a);
   const IslandIndex island_b = world.trajectories.island_of(b);

@@ -146,7 +146,8 @@ bool RestingContacts::keep_what_sinks(const World& world) {
   for (const Landing& landing : found_.landings) {
     const std::optional<Contact> contact = contact_at_start(world, landing);
     if (!contact || contact->gap > touch_tolerance(world, landing.a, landing.b)) continue;
-    if (world.parting_speed(landing.a, landing.b, *contact) >= 0.0 || hit_now(world, landing)) continue;
+    if (world.parting_speed(landing.a, landing.b, *contact) > pressing_.noise() || hit_now(world, landing))
+      continue;
     finder_.keep(landing);
     any = true;
   }

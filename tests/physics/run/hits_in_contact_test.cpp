@@ -1,5 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "physics/run/simulation.h"
@@ -40,6 +42,22 @@ RunSetup domino(double speed, double friction, double step) {
       {test::fixed("floor", Wall{}, {0.0, 0.0}), test::box("domino", {0.0, 0.1}, {0.0, 0.0}, 0.03, 0.2),
        test::disc("ball", {-0.2, 0.18}, {speed, 0.0}, 0.03, 0.5)},
       0.0, friction, step);
+}
+
+// A stack of boxes that a ball hits.
+struct Stack {
+  int boxes = 2;
+  double height = 0.0;  // of the ball, m
+  double speed = 0.0;   // m/s
+  double ball = 0.0;    // kg
+  double until = 0.0;   // s
+};
+RunSetup stack(const Stack& s, double step) {
+  std::vector<Body> bodies{test::fixed("floor", Wall{}, {0.0, 0.0})};
+  for (int k = 0; k < s.boxes; ++k)
+    bodies.push_back(test::box("box-" + std::to_string(k), {0.0, 0.075 + 0.15 * k}, {0.0, 0.0}, 0.2, 0.15));
+  bodies.push_back(test::disc("ball", {-0.5, s.height}, {s.speed, 0.0}, 0.05, s.ball));
+  return setup(std::move(bodies), 0.0, 0.5, step);
 }
 
 // s: when it comes.
@@ -93,6 +111,31 @@ TEST(HitsInContact, ABoxFallsBackIntoACornerAtOnce) {
       EXPECT_LT(test::off_from_fine_step(at, c.until, step), 1e-6)
           << c.step_height << " m, mu = " << c.friction << ", h = " << step;
   }
+}
+
+// Without rebound, what is hit and what it pushes on stop at once. A ball may hit beside the seam of two boxes,
+// and then the upper one too, as the lower one has moved on; or push a box down that was in contact on both of
+// its sides.
+TEST(HitsInContact, AStackIsHitInTheSameWayAtAnyStep) {
+  for (const Stack& scene : {Stack{2, 0.29033116789975727, 2.4315703366337105, 0.6372415173305916, 0.897},
+                             Stack{3, 0.4186326745169498, 2.834293079072636, 0.9872434992229927, 0.575},
+                             Stack{3, 0.42988462035729624, 1.4512596876860187, 0.7568371060114276, 0.598}}) {
+    const auto at = [&](double h) { return stack(scene, h); };
+    EXPECT_LT(test::off_from_fine_step(at, scene.until, 1.0 / 60.0), 2e-3) << scene.height;
+    for (const double step : {1.0 / 120.0, 1.0 / 200.0, 1.0 / 240.0})
+      EXPECT_LT(test::off_from_fine_step(at, scene.until, step), 4e-4) << scene.height << " m, h = " << step;
+  }
+}
+
+TEST(HitsInContact, DominoesFallInTheSameWayAtAnyStep) {
+  const auto at = [](double h) {
+    RunSetup s = domino(1.094053871786383, 0.6, h);
+    s.scene.bodies.push_back(test::box("next", {0.11009663006259722, 0.1}, {0.0, 0.0}, 0.03, 0.2));
+    return s;
+  };
+  EXPECT_LT(test::off_from_fine_step(at, 0.653, 1.0 / 60.0), 2e-3);
+  for (const double step : {1.0 / 120.0, 1.0 / 200.0, 1.0 / 240.0})
+    EXPECT_LT(test::off_from_fine_step(at, 0.653, step), 4e-4) << step;
 }
 
 }  // namespace
