@@ -80,7 +80,10 @@ void LabWindow::connect_edits() {
   connect(inspector_, &Inspector::pauseRequested, this, pause);
   connect(sheet_, &BodiesSheet::pauseRequested, this, pause);
   connect(inspector_, &Inspector::keepsChosen, view_, &SceneView::set_keeps);
-  connect(inspector_, &Inspector::left, this, [this] { view_->setFocus(Qt::ShortcutFocusReason); });
+  connect(inspector_, &Inspector::left, this, [this] {
+    view_->activateWindow();  // the inspector may float
+    view_->setFocus(Qt::ShortcutFocusReason);
+  });
   connect(inspector_, &Inspector::partOpened, this, [this] { view_->choose_part(inspector_->part()); });
   connect(inspector_, &Inspector::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
     edit_bodies(stated(edits, session_.runs()), name, drag_of(kOfInspector, drag));

@@ -145,6 +145,7 @@ void Inspector::build_bar() {
   });
   connect(name_, &TypedField::refused, this,
           [this](const QString& sentence) { set_line(name_fault_, sentence); });
+  connect(name_, &TypedField::entered, this, &Inspector::left);
   connect(name_, &NameField::named, this, [this](const QString& name) {
     if (bodies_.size() != 1) return;
     const NamedEdits renamed = renaming(bodies_.front(), name);
@@ -380,6 +381,8 @@ InspectorRow* Inspector::add_row(const InspectedRow& row, int index) {
     told_ = widget;
     widget->say(sentence);
   });
+  for (const TypedField* field : widget->findChildren<TypedField*>())
+    connect(field, &TypedField::entered, this, &Inspector::left);
   connect(widget, &InspectorRow::opened, this, [this](const PartId part) { open(part); });
   connect(widget, &InspectorRow::stopsAsked, this, &Inspector::stopsAsked);
   connect(widget, &InspectorRow::keepsChosen, this, [this](Keeps keeps) {

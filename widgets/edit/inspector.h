@@ -74,7 +74,7 @@ class Inspector : public QWidget {
   // What bodies are to keep, also those that the mouse gives another size.
   void keepsChosen(carom::Keeps keeps);
 
-  void left();            // by Esc: the keys are the scene's again
+  void left();            // by Esc, or Enter in a field: the keys are the scene's again
   void partOpened();      // part() was chosen here
   void pauseRequested();  // the user begins to change what moves while a run plays
 

@@ -113,7 +113,9 @@ void TypedField::keyPressEvent(QKeyEvent* event) {
     restore();
     selectAll();
   } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-    if (accept_typed()) selectAll();
+    if (!accept_typed()) return;
+    selectAll();
+    emit entered();
   } else {
     QLineEdit::keyPressEvent(event);
   }

@@ -30,6 +30,8 @@ class TypedField : public QLineEdit {
   void refused(const QString& sentence);
   // The value of the formula that is typed, "= 3.96 m/s"; empty: there is none, or none any more.
   void valued(const QString& text);
+  // Enter was pressed, and what was typed, if anything, was taken.
+  void entered();
   // The field was left with a text that can't be taken; empty: another one is typed now.
   void dropped(const QString& sentence);
 
