@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -27,11 +28,11 @@ constexpr std::size_t kMainLines = 2;  // what most lessons are about: first e
 
 QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
-// Static friction is never less than kinetic friction: the one that was not typed follows.
+// Static friction is never less than kinetic friction: it rises with it, and stops there.
 Material with_number(Material material, const FieldPlace& place, double value) {
+  if (place.key == "static_friction") value = std::max(value, material.kinetic_friction);
   material = with_field(std::move(material), place, value);
   if (place.key == "kinetic_friction") material.static_friction = std::max(material.static_friction, value);
-  if (place.key == "static_friction") material.kinetic_friction = std::min(material.kinetic_friction, value);
   return material;
 }
 
@@ -71,9 +72,20 @@ Inspected surface_value(const Surface& surface, const FieldRow& row, const char*
   value.edits = [surface, place = row.place](const std::vector<double>& values) {
     return SceneEdits{surface.edit(with_number(surface.law, place, values[0]))};
   };
-  value.undo_name = [text = value.name + " of " + value.subject + " ", unit = row.range.unit](
+  if (row.place.key == "static_friction") {
+    value.fault = [least = surface.law.kinetic_friction](const std::vector<double>& values) {
+      return values[0] >= least
+                 ? QString()
+                 : QString::fromUtf8("µs is never less than the friction µ, %1 here: lower µ first.")
+                       .arg(field_text(least, {}));
+    };
+  }
+  // What rises with it is said too.
+  const double followed = row.place.key == "kinetic_friction" ? surface.law.static_friction : HUGE_VAL;
+  value.undo_name = [text = value.name + " of " + value.subject + " ", unit = row.range.unit, followed](
                         const std::vector<double>& from, const std::vector<double>& to) {
-    return text + change_text(from[0], to[0], unit);
+    const QString changed = text + change_text(from[0], to[0], unit);
+    return to[0] > followed ? changed + QString::fromUtf8(", µs too") : changed;
   };
   return value;
 }

@@ -317,8 +317,20 @@ TEST_F(InspectorTest, ShowsTheSurfaceThatBodiesShare) {
   enter(field("µ of wood"), "0.3");
   EXPECT_EQ(scene_->materials[0].kinetic_friction, 0.3);
   EXPECT_EQ(scene_->materials[0].static_friction, 0.3);
+  EXPECT_EQ(made_.back().name, "µ of wood 0 → 0.300, µs too");
   select({});
+  const std::size_t edits = made_.size();
   enter(field("µs of wood"), "0.2");
+  EXPECT_EQ(sentences(), QStringList{"µs is never less than the friction µ, 0.3 here: lower µ first."});
+  EXPECT_EQ(made_.size(), edits);
+  QTest::keyClick(field("µs of wood"), Qt::Key_Escape);
+  for (int step = 0; step < 3; ++step) QTest::keyClick(field("µs of wood"), Qt::Key_Down);
+  EXPECT_EQ(scene_->materials[0].static_friction, 0.3) << "nor by steps";
+  EXPECT_EQ(scene_->materials[0].kinetic_friction, 0.3);
+  enter(field("µ of wood"), "0.2");
+  EXPECT_EQ(made_.back().name, "µ of wood 0.300 → 0.200");
+  enter(field("µs of wood"), "0.25");
+  EXPECT_EQ(scene_->materials[0].static_friction, 0.25);
   EXPECT_EQ(scene_->materials[0].kinetic_friction, 0.2);
 }
 
