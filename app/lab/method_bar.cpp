@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -23,6 +24,7 @@ namespace {
 
 // Steps to choose from, in s.
 constexpr std::array kSteps = {0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05};
+constexpr double kTypedMost = 1e6;  // ms
 // Tolerances of the adaptive integrator to choose from, in m and m/s.
 constexpr std::array kTolerances = {1e-2, 1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
                                     1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14};
@@ -74,17 +76,24 @@ QMenu* MethodBar::add_choices(QMenu* methods, const QString& title, const Table&
 
 void MethodBar::add_steps(QMenu* methods) {
   steps_ = methods->addMenu(tr("&Step"));
-  for (const double step : kSteps) {
-    steps_->addAction(QString("h = %1 ms").arg(1e3 * step, 0, 'g', 4), this,
-                      [this, step] { choose(&Method::step, step); });
-  }
+  for (const double step : kSteps)
+    add_number(steps_, QString("h = %1 ms").arg(1e3 * step, 0, 'g', 4), &Method::step, step);
   steps_->addSeparator();
-  steps_->addAction(tr("Another..."), this, &MethodBar::ask_for_step);
+  QAction* another = steps_->addAction(tr("Another..."), this, &MethodBar::ask_for_step);
+  another->setCheckable(true);
+  connect(steps_, &QMenu::aboutToShow, another, [this, another] {
+    another->setChecked(std::find(kSteps.begin(), kSteps.end(), method_.step) == kSteps.end());
+  });
   tolerances_ = methods->addMenu(tr("&Tolerance"));
-  for (const double tolerance : kTolerances) {
-    tolerances_->addAction(tr("tolerance %1").arg(short_figure(tolerance)), this,
-                           [this, tolerance] { choose(&Method::tolerance, tolerance); });
-  }
+  for (const double tolerance : kTolerances)
+    add_number(tolerances_, tr("tolerance %1").arg(short_figure(tolerance)), &Method::tolerance, tolerance);
+}
+
+void MethodBar::add_number(QMenu* menu, const QString& text, double Method::*member, double value) {
+  QAction* action = menu->addAction(text, this, [this, member, value] { choose(member, value); });
+  action->setCheckable(true);
+  connect(menu, &QMenu::aboutToShow, action,
+          [this, action, member, value] { action->setChecked(method_.*member == value); });
 }
 
 void MethodBar::choose(double Method::*member, double value) {
@@ -102,9 +111,17 @@ void MethodBar::ask_for_step() {
   dialog->setLabelText(tr("h in ms, from %1 to %2:").arg(fixed_text(least, decimals), fixed_text(largest, 0)));
   dialog->setInputMode(QInputDialog::DoubleInput);
   dialog->setDoubleDecimals(decimals);
-  dialog->setDoubleRange(least, largest);
+  // Wider than allowed: a field that takes no minus would make 3 of a typed -3.
+  dialog->setDoubleRange(-kTypedMost, kTypedMost);
   dialog->setDoubleValue(1e3 * method_.step);
-  ask(dialog, [this, dialog] { choose(&Method::step, 1e-3 * dialog->doubleValue()); });
+  ask(dialog, [this, dialog, least, largest, decimals] {
+    const double typed = dialog->doubleValue();
+    if (typed >= least && typed <= largest) return choose(&Method::step, 1e-3 * typed);
+    show_message(window_, dialog->windowTitle(),
+                 tr("h lies between %1 and %2 ms; it is still %3 ms.")
+                     .arg(fixed_text(least, decimals), fixed_text(largest, 0),
+                          QString::number(1e3 * method_.step, 'g', 4)));
+  });
 }
 
 void MethodBar::add_to(QToolBar* bar) {

@@ -38,6 +38,7 @@ class MethodBar : public QObject {
   void add_steps(QMenu* methods);
   void ask_for_step();
   void choose(double Method::*member, double value);
+  void add_number(QMenu* menu, const QString& text, double Method::*member, double value);
   void show_names();  // as wide as the tool bar allows
   void show_allowed(const Scene& scene);
 

@@ -89,6 +89,49 @@ TEST_F(LabToolBarTest, AnotherStepIsAskedForWithItsBounds) {
   EXPECT_DOUBLE_EQ(window_.preset().method.step, 0.0025);
 }
 
+TEST_F(LabToolBarTest, AStepOutOfItsBoundsIsRefusedWithASentence) {
+  const double before = window_.preset().method.step;
+  for (QAction* each : button("Length of a step")->menu()->actions()) {
+    if (each->text() == "Another...") each->trigger();
+  }
+  auto* dialog = window_.findChild<QInputDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  auto* line = dialog->findChild<QLineEdit*>();
+  ASSERT_NE(line, nullptr);
+  line->selectAll();
+  QTest::keyClicks(line, "-3");
+  dialog->accept();
+  ASSERT_TRUE(wait_for_boxes(1));
+  EXPECT_TRUE(boxes_[0].startsWith("h lies between 0.000001 and 1000 ms; it is still 5 ms."))
+      << boxes_[0].toStdString();
+  EXPECT_EQ(window_.preset().method.step, before);
+}
+
+TEST_F(LabToolBarTest, TheStepsAndTolerancesHaveATickToo) {
+  const auto ticked = [this](const QString& tip) {
+    QMenu* menu = button(tip)->menu();
+    emit menu->aboutToShow();
+    QStringList texts;
+    for (const QAction* each : menu->actions()) {
+      if (each->isChecked()) texts << each->text();
+    }
+    return texts.join(", ");
+  };
+  EXPECT_EQ(ticked("Length of a step"), "h = 5 ms");
+  action("h = 20 ms")->trigger();
+  EXPECT_EQ(ticked("Length of a step"), "h = 20 ms");
+  for (QAction* each : button("Length of a step")->menu()->actions()) {
+    if (each->text() == "Another...") each->trigger();
+  }
+  auto* dialog = window_.findChild<QInputDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  dialog->setDoubleValue(3.3);
+  dialog->accept();
+  EXPECT_EQ(ticked("Length of a step"), "Another...");
+  action("Dormand-Prince 5(4), adaptive")->trigger();
+  EXPECT_EQ(ticked("Largest error of a step"), "tolerance 1e−9");
+}
+
 TEST_F(LabToolBarTest, WhatASceneForbidsIsGreyAndSaysWhy) {
   EXPECT_TRUE(action("Exact flight")->isEnabled());
   ASSERT_TRUE(window_.open("drag-projectile"));
