@@ -135,6 +135,11 @@ QString refusal_text(const std::string& refusal, const Scene& scene) {
     const Joint& joint = scene.joints[static_cast<std::size_t>(index)];
     if (QString text = motion_text(scene, joint, name, match.captured(2)); !text.isEmpty()) return text;
   }
+  if (match.captured(2).startsWith("no mass of a body without an area") && !name.isEmpty())
+    return QCoreApplication::translate(
+               "Refusal",
+               "Without an area %1 has no mass by its density. Give it a mass first, or a size above 0.")
+        .arg(name);
   static const QRegularExpression kUnmoved(R"re(^"(.*)", which no force moves)re");
   if (const auto unmoved = kUnmoved.match(match.captured(2)); unmoved.hasMatch() && !name.isEmpty())
     return QCoreApplication::translate("Refusal",

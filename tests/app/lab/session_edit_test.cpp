@@ -280,6 +280,17 @@ TEST_F(SessionEditTest, ARefusalNamesThingsAndHasFewDigits) {
   EXPECT_FALSE(session_.edits().canUndo());
 }
 
+TEST_F(SessionEditTest, ABodyWithoutAnAreaAndAMassIsRefusedInPlainWords) {
+  Body right = now("right");
+  right.mass.reset();
+  right.density.reset();
+  right.shape = Disc{0.0};
+  session_.edit({Replace<Body>{right}}, "Radius of right");
+  EXPECT_EQ(refused_,
+            "Without an area right has no mass by its density. Give it a mass first, or a size above 0.");
+  EXPECT_FALSE(session_.edits().canUndo());
+}
+
 TEST_F(SessionEditTest, ADiscThatCameLaterIsEditedWhereItStands) {
   run_to(0.5);
   session_.add_body(0.5, 1.0);
