@@ -66,19 +66,20 @@ void record_impulses(World& world, const Contacts& c, int i, double share, const
 void record_support(World& world, const FoundContacts& found, const GaussContacts& linear, double share,
                     const Eigen::Matrix3Xd& mean, double passed, const GuessedFlight& flight) {
   const Contacts& c = found.contacts;
-  // m: from the middle of a body's path to where its contacts' arms start. Those leave out what the contact
-  // forces themselves do, which all together do no work there.
+  // m: from the path of a body to where its contacts' arms start, where those follow the path. They leave out
+  // what the contact forces themselves do, which all together do no work there.
+  const double bend = arms_of(world.method.integrator).bend * passed * passed / (share * share);
   const auto off = [&](BodyIndex body) -> Vec2 {
-    if (world.infinite_mass(body)) return Vec2::Zero();
-    return arm_start(world, passed / share, flight, body) - world.state.position(body) -
-           0.5 * passed * mean.col(body).head<2>();
+    if (world.infinite_mass(body) || flight.goes_on[static_cast<std::size_t>(body)] == 0) return Vec2::Zero();
+    return -bend * world.field().contact_acceleration(body).head<2>();
   };
   Losses lost;
   for (int i = 0; i < c.size(); ++i) {
     if (c.normal_impulse[i] == 0.0 || linear.has(i)) continue;
     RowVelocity u = contact_velocity(c, i, mean);
-    u.tangential +=
-        mean.col(c.b[i])[2] * off(c.b[i]).dot(c.normal[i]) - mean.col(c.a[i])[2] * off(c.a[i]).dot(c.normal[i]);
+    const Vec2 turning = mean.col(c.b[i])[2] * off(c.b[i]) - mean.col(c.a[i])[2] * off(c.a[i]);
+    u.normal -= turning.dot(crossed(c.normal[i]));
+    u.tangential += turning.dot(c.normal[i]);
     if (is_landing(world, found, i)) lost.normal -= share * c.normal_impulse[i] * u.normal;
     lost.tangential -= share * c.tangential_impulse[i] * u.tangential;
     lost.rolling -= share * c.rolling_impulse[i] * u.spin;

@@ -483,5 +483,33 @@ TEST(RestingContacts, WheelspinLosesTheWorkOfItsSlip) {
   }
 }
 
+// A disc that is put onto a rough floor, with backspin or topspin, lands on nothing: slip takes all that is
+// lost, whatever static friction may hold later.
+TEST(RestingContacts, ASpinningDiscLosesEnergyToFrictionAlone) {
+  for (const double spin : {-80.0, -2.0, 16.12, 50.0}) {
+    for (const double static_friction : {1.0, 1.3}) {
+      Body disc = round_body("disc", {0.0, 0.15}, 0.15);
+      disc.velocity = Vec2(1.615, 0.0);
+      disc.spin = spin;
+      Material material = rough(1.0);
+      material.static_friction = static_friction;
+      for_every_method(scene(material, {ground(), disc}), [&](RunSetup each) {
+        for (const double h : {kStep, 1.0 / 240.0}) {
+          each.method.step = h;
+          const Simulation end = run(each, 1.5);
+          // What rolls keeps v = (v0 - R ω0/2)/(3/2), with ω0 against the sense of rolling.
+          const double rolls = (1.615 - 0.5 * 0.15 * spin) / 1.5;
+          const double mass = end.mass().mass[1];
+          const double lost =
+              0.5 * mass * (1.615 * 1.615 + 0.5 * 0.15 * 0.15 * spin * spin - 1.5 * rolls * rolls);
+          EXPECT_NEAR(end.ledger().lost_to_friction, lost, 1e-10) << spin << ' ' << h;
+          EXPECT_NEAR(end.ledger().lost_to_restitution, 0.0, 1e-13) << spin << ' ' << h;
+          EXPECT_NEAR(drift(end), 0.0, 1e-12) << spin << ' ' << h;
+        }
+      });
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom
