@@ -115,11 +115,12 @@ double ContactPressing::between(const World& world, const ContactMemory& memory,
 }
 
 double ContactPressing::rest_speed(const World& world, double press, double restitution) const {
-  if (!(press > 0.0)) return noise_;
+  const double least = calms_ && restitution < 1.0 ? std::max(noise_, change_by_forces_) : noise_;
+  if (!(press > 0.0)) return least;
   double share = follows_bounces_ ? kLastShare : 1.0;
   if (world.method.integrator == IntegratorId::kExplicitEuler && restitution < 1.0)
     share = std::max(share, last_rebound_of_euler(restitution));
-  return std::max(noise_, share * press * step_length_);
+  return std::max(least, share * press * step_length_);
 }
 
 void carry_forces(World& world, double passed, const Neighbours& neighbours, ContactMemory& memory) {

@@ -17,6 +17,9 @@ class ContactPressing {
   // For a step of step_length s, at the start of trajectories on which no contact forces act. If it may be
   // divided, what happens within it is followed in scenes with few contacts.
   void find(World& world, double step_length, bool may_divide, const ContactMemory& memory);
+  // Whether what rebounds slower than forces change a speed in a step rests, pressed or not: where bodies
+  // rattle, their bounces would be too many to follow.
+  void calm(bool calms) { calms_ = calms; }
   // After the contact forces have changed.
   void update(const World& world, const ContactMemory& memory);
 
@@ -47,6 +50,7 @@ class ContactPressing {
 
   double step_length_ = 0.0;  // s
   bool follows_bounces_ = false;
+  bool calms_ = false;
   std::vector<Push> pushes_;       // parallel to the forces of the memory
   Eigen::Matrix3Xd acceleration_;  // m/s², rad/s²: of all other forces
   Eigen::Matrix3Xd pressing_;      // likewise, of all forces

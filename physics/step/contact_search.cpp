@@ -250,6 +250,17 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
         first = pair(start);
         pressed = first.gap < -4.0 * tolerance;
       }
+      // Unless another corner has landed since: then they are apart at some time between.
+      double half = start;
+      for (TurningSample at = first; pressed && at.gap < -4.0 * tolerance;) {
+        half = 0.5 * (begin + half);
+        at = pair(half);
+        if (at.gap > 4.0 * tolerance) {
+          start = half;
+          first = at;
+          pressed = false;
+        }
+      }
     } else if (first.gap <= tolerance) {
       pressed = pressing(world, a, b, now.contact, start) > 0.0;
     }

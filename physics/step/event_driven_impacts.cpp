@@ -36,7 +36,7 @@ constexpr int kImpactsBeforeGuardPerBody = 4;
 // step; where few bodies move, a part costs little, and boxes rattle from corner to corner. What is left of a
 // step after these goes on as where impacts are not located (ContactFinder::begin_part).
 constexpr int kMostParts = 8;
-constexpr int kMostPartsOfFew = 32;
+constexpr int kMostPartsOfFew = 128;
 // Of a step: impacts leave no shorter rest as a part of its own. Contacts would close or open gaps of rounding
 // within it, at any speed.
 constexpr double kLeastPart = 1e-6;
@@ -288,7 +288,9 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
       end_of_step_.add(next.a, next.b, false);
       continue;
     }
-    if (resolve(step, next.a, next.b, next.time, impacts >= before_guard)) return next.time;
+    const bool guarded = impacts >= before_guard;
+    if (guarded && step.resting != nullptr && moves_few(world)) step.resting->calm();
+    if (resolve(step, next.a, next.b, next.time, guarded)) return next.time;
   }
   return disturbed_;
 }

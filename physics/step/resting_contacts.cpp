@@ -74,6 +74,7 @@ double RestingContacts::rest_speed(const World& world, BodyIndex a, BodyIndex b,
 
 void RestingContacts::begin_step(World& world, double h) {
   whole_step_ = std::max(h, world.method.step);
+  pressing_.calm(false);
   linear_.begin_part(world.clock.time, whole_step_);  // a step is found from its start alone
   world.trajectories.begin(world.clock.time);
 }

@@ -63,6 +63,8 @@ class RestingContacts {
   // Lets the landed pair rebound by the law of impacts, if the rebound is faster than rest_speed(). Others that
   // land at the same moment are stopped with it, all at once at the start of the next part, if none rebounds.
   void land(World& world, const LandingTime& landing);
+  // Until the step's end, what rattles comes to rest (ContactPressing::calm).
+  void calm() { pressing_.calm(true); }
   // Whether the landings of these bodies are found by first_landing().
   [[nodiscard]] bool awaits(BodyIndex a, BodyIndex b) const;
   // Where the pair hits at the trajectories' start: faster than that.

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "physics/run/run_setup.h"
 #include "physics/run/simulation.h"
@@ -134,6 +136,66 @@ TEST(Clatter, CornersUnderALoadComeToRest) {
       Simulation run(at(step));
       run.advance_to(c.until);
       EXPECT_LT(std::abs(run.ledger().penetration_correction), c.overlap) << c.speed << ' ' << step;
+    }
+  }
+}
+
+struct Layer {
+  double width;
+  double height;
+  double x;
+  double bottom;
+  double mass;
+};
+
+// Boxes that fall onto each other rattle from corner to corner, hundreds of times within a step. They come to
+// rest without sinking in.
+TEST(Clatter, StacksThatAreDroppedDoNotSinkIn) {
+  struct Drop {
+    double restitution;
+    double friction;
+    std::vector<Layer> layers;
+  };
+  const Drop drops[] = {
+      {0.3,
+       0.2,
+       {{0.4, 0.2, -0.03, 0.0, 2.0},
+        {0.6, 0.2, 0.05, 0.25, 2.0},
+        {0.4, 0.2, 0.0, 0.5, 1.0},
+        {0.6, 0.2, 0.0, 0.7, 1.0}}},
+      {0.3, 0.0, {{0.63, 0.1, -0.03, 0.05, 0.5}, {0.39, 0.2, -0.005, 0.2, 1.0}, {0.75, 0.2, 0.0, 0.4, 1.0}}},
+      {0.5,
+       0.0,
+       {{0.32, 0.2, -0.01, 0.1, 2.0},
+        {0.59, 0.2, 0.0, 0.31, 1.0},
+        {0.61, 0.1, 0.0, 0.56, 2.0},
+        {0.66, 0.1, 0.0, 0.71, 2.0},
+        {0.46, 0.2, 0.05, 0.82, 2.0}}},
+      {0.5,
+       0.5,
+       {{0.39, 0.3, 0.0, 0.02, 0.5},
+        {0.7, 0.1, 0.0, 0.37, 2.0},
+        {0.73, 0.2, 0.0, 0.47, 2.0},
+        {0.72, 0.3, 0.0, 0.72, 0.5},
+        {0.72, 0.2, 0.02, 1.03, 1.0}}}};
+  for (const Drop& drop : drops) {
+    for (const double h : {1.0 / 60.0, 0.01, 1.0 / 240.0}) {
+      std::vector<Body> bodies;
+      for (const Layer& at : drop.layers) {
+        const std::string name = fmt::format("box {}", bodies.size());
+        bodies.push_back(test::box(name, {at.x, at.bottom + 0.5 * at.height}, {0.0, 0.0}, at.width, at.height));
+        bodies.back().mass = at.mass;
+      }
+      Simulation run(on_a_table(std::move(bodies), 0.0, drop.restitution, drop.friction, h));
+      run.advance_to(1.5, [] {});
+      SCOPED_TRACE(fmt::format("{} boxes, e = {}, h = {}", drop.layers.size(), drop.restitution, h));
+      EXPECT_LT(std::abs(run.ledger().penetration_correction), 1e-4);
+      double top = 0.0;
+      for (std::size_t k = 0; k < drop.layers.size(); ++k) {
+        const auto body = static_cast<int>(k + 1);
+        EXPECT_NEAR(run.state().position(body).y(), top + 0.5 * drop.layers[k].height, 1e-7) << k;
+        top += drop.layers[k].height;
+      }
     }
   }
 }
