@@ -44,6 +44,7 @@ struct Flights {
     Motions from, now;
     Eigen::Matrix3Xd change;  // of velocities by an impact
     bool missed = false;      // `now` is off the joints
+    bool end_missed = false;  // so is the end of the trajectory, or joints bend it too far to search on it
     bool rates_known = false;
     Motions start_rates;  // at the island's start, where they are known
     Stages<Motions> stages;

@@ -137,8 +137,12 @@ void Trajectories::advance_to(IslandIndex k, double time) {
   if (!island.coupled()) {
     f.at_start.col(f.body_of(island)) = f.at(f.body_of(island), time);
   } else if (time != island.start) {
+    const Flights::Group& group = f.groups[island.group];
+    const bool whole = time == island.end;
     for (const BodyIndex i : f.members_of(island)) f.at_end.col(i) = f.at(i, time);
+    const bool missed = whole ? group.end_missed : group.missed;
     for (const BodyIndex i : f.members_of(island)) f.at_start.col(i) = f.at_end.col(i);
+    if (missed && joints_missed_since_ < 0.0) joints_missed_since_ = f.epoch + island.start;
   }
   island.start = island.end = time;
   island.switching.reset();
@@ -207,8 +211,7 @@ void Trajectories::rebuild(IslandIndex k, double horizon, double reach, double t
   } else {
     const Motions& now = f.fly_group(island, island.end);
     for (int j = 0; j < island.count; ++j) f.at_end.col(f.members[island.first + j]) = now.col(j);
-    if (f.groups[island.group].missed && joints_missed_since_ < 0.0)
-      joints_missed_since_ = f.epoch + island.start;
+    f.groups[island.group].end_missed = f.groups[island.group].missed;
   }
   check_flight(island);
   if (!island.kinematic) switches_.end_at_first(f, island);

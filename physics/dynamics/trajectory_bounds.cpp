@@ -104,7 +104,7 @@ void Trajectories::bound_curvature(IslandIndex k) {
   for (int j = 0; j < island.count; ++j) group.from.col(j) = f.at_end.col(f.members[island.first + j]);
   rates(island.end, group.from, group.stages.k[1]);
   if (f.joints.has_joints(island.group) && outruns_joints(f, island)) {
-    if (joints_missed_since_ < 0.0) joints_missed_since_ = f.epoch + island.start;
+    group.end_missed = true;
     for (const BodyIndex i : f.members_of(island)) curvature_bound_[i] = turn_bound_[i] = 0.0;
     return;
   }

@@ -85,7 +85,7 @@ struct KeptMembers {
         if constexpr (std::is_const_v<Self>) ahead.cached[k] = -Flights::kForever;
         continue;
       }
-      auto& [cached, from, now, change, missed, rates_known, start_rates, stages] =
+      auto& [cached, from, now, change, missed, end_missed, rates_known, start_rates, stages] =
           flights.groups[island.group];
       if constexpr (std::is_const_v<Self>) {
         each(cached, ahead.cached[k]);
