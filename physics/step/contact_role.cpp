@@ -53,12 +53,15 @@ ContactFinder::Touch ContactFinder::look_at(const Step& step, const PairInStep& 
   touch.press = step.pressing.between(world, step.memory, a, b, at.point, m.normal);
   touch.rest = step.pressing.rest_speed(world, touch.press, material.restitution);
   touch.before = force_before(world, step.memory.forces, last, a, b, m, at);
-  touch.pressed_before = touch.before && step.memory.support[*touch.before][0] > 0.0;
   const double closing = -touch.velocity.normal;
   const double rest = touch.rest;
   const double held = held_gap(world, a, b);
   const bool kept = is_kept({a, b, at.id});
   const bool follows = step.pressing.follows_bounces();
+  touch.pressed_before = touch.before && step.memory.support[*touch.before][0] > 0.0;
+  // What has opened since, without any force, comes back as a landing.
+  if (follows && touch.pressed_before && at.gap > std::max(held, rounding))
+    touch.pressed_before = step.memory.forces[*touch.before].normal_force > 0.0;
   const bool open = at.gap > (follows && touch.pressed_before ? std::max(held, rounding) : rounding);
   const bool outside = at.gap > -held;
   // Explicit Euler leaves a gap where what a body rests on turns away, and closes it within the next step.

@@ -50,6 +50,12 @@ RunSetup with_wall(RunSetup s) {
   return s;
 }
 
+RunSetup with_box(RunSetup s) {
+  s.scene.bodies.push_back(test::box("box", {0.679, 0.15}, {0.0, 0.0}, 0.2, 0.3));
+  s.scene.bodies.back().mass = 0.525;
+  return s;
+}
+
 // Both wheels touch the floor at one moment. They did so one after the other, and the cart turned.
 TEST(WheeledCarts, LandOnBothWheelsAtOnce) {
   for (const double restitution : {0.0, 0.3, 1.0}) {
@@ -100,6 +106,28 @@ TEST(WheeledCarts, StopAtAWallWithoutAWarning) {
     }
     const auto at = [&](double h) { return with_wall(setup(cart, h)); };
     EXPECT_LT(test::off_from_fine_step(at, 0.7, 1.0 / 240.0), 1e-5) << "mu = " << friction;
+  }
+}
+
+// A wheel that a hit lifts off by micrometres comes back as a landing. It was held there, with forces that
+// pressed and pulled within a part of a step: parts became ever shorter, and more than a step may have.
+TEST(WheeledCarts, HitAFreeBox) {
+  for (const double speed : {0.5641835440091899, 0.7274335645293292}) {
+    const auto at = [&](double h) { return with_box(setup({0.0, 0.0, speed, 0.0, 0.8}, h)); };
+    EXPECT_LT(test::off_from_fine_step(at, 0.7, 1.0 / 120.0), 1e-3) << speed;
+    EXPECT_LT(test::off_from_fine_step(at, 0.7, 1.0 / 240.0), 1e-3) << speed;
+  }
+}
+
+// Flights that are not used say nothing of links: those under forces that are found again, or past a landing.
+TEST(WheeledCarts, JamUnderABoxWithoutAWarning) {
+  for (const Cart& cart :
+       {Cart{0.0, 0.0, 1.9363715446457692, 0.0, 0.8}, Cart{0.0, 0.0, 1.4743084873788028, 0.6, 0.3}}) {
+    for (const double step : {1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0, 1.0 / 1920.0}) {
+      Simulation run(with_box(setup(cart, step)));
+      run.advance_to(0.7);
+      EXPECT_EQ(run.status(), "ok") << cart.speed << ", h = " << step;
+    }
   }
 }
 
