@@ -177,6 +177,37 @@ bool is_flush(const World& world, BodyIndex a, BodyIndex b, double gap) {
   return std::abs(gap) <= kTogether * (world.shapes().size[a] + world.shapes().size[b]);
 }
 
+// Of corners that touch at `begin` and are inside by `time`, one may have left and another one have landed:
+// moves `time` back to where they are apart, if there is such a time, with the sample there.
+template <class Pair>
+bool find_apart(const Pair& pair, double begin, double tolerance, double& time, TurningSample& there) {
+  double half = time;
+  TurningSample at = there;
+  while (at.gap < -4.0 * tolerance) {
+    half = 0.5 * (begin + half);
+    at = pair(half);
+  }
+  if (!(at.gap > 4.0 * tolerance)) return false;
+  time = half;
+  there = at;
+  return true;
+}
+
+// Whether corners that touch at `begin` separate or press shows once the gap exceeds its rounding: moves `time`
+// there, with the sample, from `time` on. Nothing if that is not before `end`.
+template <class Pair>
+std::optional<bool> are_pressed(const Pair& pair, double begin, double end, double tolerance, double bound,
+                                double& time, TurningSample& there) {
+  bool pressed = false;
+  for (double wait = std::sqrt(tolerance / bound); there.gap <= 4.0 * tolerance && !pressed; wait *= 2.0) {
+    if (time >= end) return std::nullopt;
+    time = std::min(time + wait, end);
+    there = pair(time);
+    pressed = there.gap < -4.0 * tolerance;
+  }
+  return pressed && !find_apart(pair, begin, tolerance, time, there);
+}
+
 }  // namespace
 
 double closed_gap(const World& world, const RestingContacts* resting, BodyIndex a, BodyIndex b,
@@ -243,24 +274,9 @@ NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, Bo
     first = pair(start);
     bool pressed = false;
     if (touching && world.has_moving_corners(a, b)) {
-      // Whether they separate or press shows once the gap exceeds its rounding.
-      for (double wait = std::sqrt(tolerance / bound); first.gap <= 4.0 * tolerance && !pressed; wait *= 2.0) {
-        if (start >= end) return {};
-        start = std::min(start + wait, end);
-        first = pair(start);
-        pressed = first.gap < -4.0 * tolerance;
-      }
-      // Unless another corner has landed since: then they are apart at some time between.
-      double half = start;
-      for (TurningSample at = first; pressed && at.gap < -4.0 * tolerance;) {
-        half = 0.5 * (begin + half);
-        at = pair(half);
-        if (at.gap > 4.0 * tolerance) {
-          start = half;
-          first = at;
-          pressed = false;
-        }
-      }
+      const std::optional<bool> seen = are_pressed(pair, begin, end, tolerance, bound, start, first);
+      if (!seen) return {};
+      pressed = *seen;
     } else if (first.gap <= tolerance) {
       pressed = pressing(world, a, b, now.contact, start) > 0.0;
     }
