@@ -17,8 +17,8 @@ class ContactPressing {
   // For a step of step_length s, at the start of trajectories on which no contact forces act. If it may be
   // divided, what happens within it is followed in scenes with few contacts.
   void find(World& world, double step_length, bool may_divide, const ContactMemory& memory);
-  // Whether what rebounds slower than forces change a speed in a step rests, pressed or not: where bodies
-  // rattle, their bounces would be too many to follow.
+  // Whether what rebounds with e < 1 and slower than forces change a speed in a step rests, pressed or not:
+  // where bodies rattle, their bounces would be too many to follow.
   void calm(bool calms) { calms_ = calms; }
   // After the contact forces have changed.
   void update(const World& world, const ContactMemory& memory);
