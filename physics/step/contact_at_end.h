@@ -5,6 +5,7 @@
 
 #include "physics/collision/pair_contact.h"
 #include "physics/collision/tip_on_face.h"
+#include "physics/model/pair_size.h"
 #include "physics/step/contact_finder.h"
 #include "physics/step/contact_turning.h"
 #include "physics/step/world.h"
@@ -53,7 +54,7 @@ class ContactsAtEnd {
   [[nodiscard]] Pose pose(BodyIndex body) const { return flight_.pose[static_cast<std::size_t>(body)]; }
   [[nodiscard]] std::uint32_t id() const { return found_.id[static_cast<std::size_t>(contact_)]; }
   [[nodiscard]] const Vec2& start() const { return found_.point[static_cast<std::size_t>(contact_)]; }
-  [[nodiscard]] double size() const { return world_.shapes().size[a_.body] + world_.shapes().size[b_.body]; }
+  [[nodiscard]] double size() const { return pair_size(world_.shapes(), a_.body, b_.body); }
   [[nodiscard]] bool slides_on() const;
   [[nodiscard]] std::optional<Contact> on_line() const;
   [[nodiscard]] bool face_goes_on(const TipOnFace& touch, bool at_end) const;

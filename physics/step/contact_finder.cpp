@@ -7,6 +7,7 @@
 
 #include "physics/collision/tips.h"
 #include "physics/math/vectors.h"
+#include "physics/model/pair_size.h"
 #include "physics/step/coming_to_rest.h"
 #include "physics/step/impact_cluster.h"
 #include "physics/step/internal_edges.h"
@@ -197,7 +198,7 @@ void ContactFinder::let_fast_bodies_push(World& world) {
 // there, but not one that lands.
 Manifold ContactFinder::exposed(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m) {
   const World& world = step.world;
-  const double size = world.shapes().size[a] + world.shapes().size[b];
+  const double size = pair_size(world.shapes(), a, b);
   const auto pose = [&](BodyIndex body) { return poses_[body]; };
   // Whether it is not a body that moves on at once that continues the surface.
   const auto stays = [&](const Contact& contact) {
@@ -219,7 +220,7 @@ Manifold ContactFinder::exposed(const Step& step, BodyIndex a, BodyIndex b, cons
 Manifold ContactFinder::where_tips_meet(const World& world, BodyIndex a, BodyIndex b, const Manifold& m) const {
   const Geometry& shapes = world.shapes();
   // The one point that touches, or the ends of a stretch that is none.
-  const double touching = kTogether * (shapes.size[a] + shapes.size[b]);
+  const double touching = kTogether * pair_size(shapes, a, b);
   const auto is_open = [&](int k) { return m.points[static_cast<std::size_t>(k)].gap > touching; };
   const int at = is_open(0) ? 1 : 0;
   if (at >= m.count || is_open(at)) return m;

@@ -8,6 +8,7 @@
 
 #include "physics/collision/pair_contact.h"
 #include "physics/math/vectors.h"
+#include "physics/model/pair_size.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -42,7 +43,7 @@ void each_touch(const World& world, BodyIndex a, BodyIndex b, const Contact& con
     each_of_one(world, b, [&](BodyIndex j) {
       if (!world.can_collide(i, j)) return;
       const Pose pose_j = pose_at_start(world, j);
-      const double tolerance = kTogether * (g.size[i] + g.size[j]);
+      const double tolerance = kTogether * pair_size(g, i, j);
       each_manifold(g, i, pose_i, j, pose_j, contact.gap + tolerance, [&](const Manifold& m) {
         if (std::abs(cross(m.normal, contact.normal)) > kTogether || m.normal.dot(contact.normal) < 0.0) return;
         // Beside an immovable body another surface has an impact of its own.
@@ -107,7 +108,7 @@ std::optional<Stretch> stretch_of(const World& world, BodyIndex a, BodyIndex b, 
   each_touch(world, a, b, contact, [&](BodyIndex, BodyIndex, double at, const ShapePair&) {
     stretch = {std::min(stretch.low, at), std::max(stretch.high, at)};
   });
-  if (!(stretch.high - stretch.low > kTogether * (g.size[a] + g.size[b]))) return std::nullopt;
+  if (!(stretch.high - stretch.low > kTogether * pair_size(g, a, b))) return std::nullopt;
   return stretch;
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "physics/contact/contact_velocity.h"
+#include "physics/model/pair_size.h"
 #include "physics/step/coming_to_rest.h"
 #include "physics/step/contact_finder.h"
 #include "physics/step/internal_edges.h"
@@ -76,7 +77,7 @@ ContactFinder::Touch ContactFinder::look_at(const Step& step, const PairInStep& 
                     (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= 2.0 * pressed);
   // What is about to land does so at its own moment, with all that lands then.
   const bool about_to_land = open && moves_few(world) && closing > rest;
-  const double flush = kFlush * (world.shapes().size[a] + world.shapes().size[b]);
+  const double flush = kFlush * pair_size(world.shapes(), a, b);
   const bool comes_later = !touch.pressed_before && (at.gap > flush || about_to_land);
   const bool leaves = may_bounce(world, a, b, touch.pressed_before) && closing < -rest;
   // The event queue knows no pair that the error of the forces that held it has left inside, nor one that a hit

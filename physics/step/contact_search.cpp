@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "physics/collision/turning_pair.h"
+#include "physics/model/pair_size.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -174,7 +175,7 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
 
 // Whether they touch, or nearly do: what comes to slide along a face that is flush with it is so from then on.
 bool is_flush(const World& world, BodyIndex a, BodyIndex b, double gap) {
-  return std::abs(gap) <= kTogether * (world.shapes().size[a] + world.shapes().size[b]);
+  return std::abs(gap) <= kTogether * pair_size(world.shapes(), a, b);
 }
 
 // Of corners that touch at `begin` and are inside by `time`, one may have left and another one have landed:

@@ -18,10 +18,11 @@ std::optional<Face> face_with(const ConvexShapes& shapes, ShapeIndex part, const
 const Corner* core_corner_at(const ConvexShapes& shapes, ShapeIndex part, const Vec2& point, double near) {
   if (!has_faces(shapes, part)) return nullptr;
   const Corner* corner = shapes.corners_of(part);
-  const Corner* end = corner + shapes.corners[part];
-  const Corner* found =
-      std::find_if(corner, end, [&](const Corner& c) { return (c.vertex - point).norm() <= near; });
-  return found == end ? nullptr : found;
+  const auto distance = [&](const Corner& c) { return (c.vertex - point).norm(); };
+  const Corner* nearest =
+      std::min_element(corner, corner + shapes.corners[part],
+                       [&](const Corner& one, const Corner& other) { return distance(one) < distance(other); });
+  return distance(*nearest) <= near ? nearest : nullptr;
 }
 
 const Corner* corner_at(const ConvexShapes& shapes, ShapeIndex part, const Vec2& point, double near) {

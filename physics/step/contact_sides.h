@@ -25,7 +25,7 @@ namespace carom {
 inline constexpr double kOnFace = 1e-7;
 // The face that has this outward normal in the part's frame.
 [[nodiscard]] std::optional<Face> face_with(const ConvexShapes& shapes, ShapeIndex part, const Vec2& normal);
-// The corner of a part's core that is within `near` m of this point of its frame; else null.
+// The corner of a part's core that is nearest to this point of its frame, if within `near` m; else null.
 [[nodiscard]] const Corner* core_corner_at(const ConvexShapes& shapes, ShapeIndex part, const Vec2& point,
                                            double near);
 // Likewise, of a part without rounding.
@@ -34,11 +34,7 @@ inline constexpr double kOnFace = 1e-7;
 // The one before it around the part: the face that comes to this corner is its.
 [[nodiscard]] const Corner& corner_before(const ConvexShapes& shapes, ShapeIndex part, const Corner& corner);
 
-// m: the sizes of both.
-[[nodiscard]] inline double sizes(const World& world, BodyIndex a, BodyIndex b) {
-  return world.shapes().size[a] + world.shapes().size[b];
-}
-// Relative to sizes(): a corner so near a contact is the one that touches.
+// Relative to the pair's size: a corner so near a contact is the one that touches.
 inline constexpr double kAtCorner = 4e-5;
 
 // One of the two parts of a contact, at the start of the trajectories.

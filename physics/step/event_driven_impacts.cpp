@@ -10,6 +10,7 @@
 #include "physics/collision/pair_contact.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/ledger/step_limits.h"
+#include "physics/model/pair_size.h"
 #include "physics/step/apply_impact.h"
 #include "physics/step/coming_to_rest.h"
 #include "physics/step/contact_patch.h"
@@ -306,7 +307,7 @@ bool EventDrivenImpacts::resolve(const Step& step, BodyIndex a, BodyIndex b, dou
     const Motion of_a = trajectories.at(a, time);
     const Motion of_b = trajectories.at(b, time);
     const double overlap = -contact_between(world.shapes(), a, of_a.head<3>(), b, of_b.head<3>()).gap;
-    const double past = std::max(4.0 * kFlush * (world.shapes().size[a] + world.shapes().size[b]), overlap);
+    const double past = std::max(4.0 * kFlush * pair_size(world.shapes(), a, b), overlap);
     const Vec2 u = of_b.segment<2>(3) - of_a.segment<2>(3);
     const double least = 64.0 * kEpsilon * (std::abs(time) + step.h);
     world.work.spend(kInternalEdge);

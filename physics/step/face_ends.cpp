@@ -7,6 +7,7 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/roots.h"
 #include "physics/math/vectors.h"
+#include "physics/model/pair_size.h"
 #include "physics/step/contact_sides.h"
 #include "physics/step/pair_motion.h"
 
@@ -59,7 +60,7 @@ void add_faces_beside(const World& world, const FoundContacts& found, int i, con
   if (!is_round(g.shapes, disc.part)) return;
   // A method of order 1 leaves the corner by as much as a shorter step would mend.
   if (choice_of(kIntegrators, world.method.integrator).order == 1) return;
-  const double size = sizes(world, disc.body, side.body);
+  const double size = pair_size(world.shapes(), disc.body, side.body);
   const Vec2 point = found.point[static_cast<std::size_t>(i)];
   const Corner* corner = corner_at(g.shapes, side.part, side.of_part(point), kAtCorner * size);
   if (corner == nullptr) return;
@@ -182,7 +183,9 @@ void find_touches_near_ends(const World& world, const FoundContacts& found, cons
     }
     Coming coming = coming_to_end(world, *on, found, i, h);
     if (!(coming.left <= coming.reach && coming.left > -past_seam(world, *on))) continue;
-    const double at_end = (on->is_corner(world) ? kCornerAtEnd : kAtEnd) * sizes(world, on->body, on->toucher);
+    const Geometry& g = world.shapes();
+    const double at_end = on->is_corner(world) ? kCornerAtEnd * pair_size(g, on->body, on->toucher)
+                                               : kAtEnd * (g.size[on->body] + g.size[on->toucher]);
     if (coming.left <= at_end) add_faces_beside(world, found, i, neighbours, h, touches);
     TouchNearEnd& touch = coming.touch;
     touch.law_changes =
@@ -199,7 +202,8 @@ double first_face_end(World& world, const std::vector<TouchNearEnd>& touches, co
   double first = h;
   for (const TouchNearEnd& touch : touches) {
     const TouchOnFace& on = touch.on;
-    const double before = on.is_corner(world) ? kBeforeEnd * sizes(world, on.body, on.toucher) : 0.0;
+    const double before =
+        on.is_corner(world) ? kBeforeEnd * pair_size(world.shapes(), on.body, on.toucher) : 0.0;
     const double place = touch.law_changes ? past_seam(world, on) : -before;
     const auto left = [&](double t) {
       return place + left_to(touch, place_along(world, on, world.trajectories.at(on.toucher, t),
@@ -221,7 +225,7 @@ bool has_passed_on(const World& world, const FoundContacts& found, int i) {
   if (is_round(shapes, own.a.part) == is_round(shapes, own.b.part)) return false;
   const ContactSide& disc = is_round(shapes, own.a.part) ? own.a : own.b;
   const auto point = [&](int k) { return found.point[static_cast<std::size_t>(k)]; };
-  const double near = kFlush * sizes(world, own.a.body, own.b.body) + 1e-12 * point(i).lpNorm<1>();
+  const double near = kFlush * pair_size(world.shapes(), own.a.body, own.b.body) + 1e-12 * point(i).lpNorm<1>();
   const auto is_at_it = [&](int k) {
     if (k == i || (point(k) - point(i)).norm() > near) return false;
     const ContactSides other = sides_of(world, found, k);
@@ -239,7 +243,7 @@ bool has_passed_on(const World& world, const FoundContacts& found, int i) {
 bool leaves_corner(const World& world, const FoundContacts& found, int i, const Neighbours& neighbours,
                    double h) {
   const Contacts& c = found.contacts;
-  const double size = sizes(world, c.a[i], c.b[i]);
+  const double size = pair_size(world.shapes(), c.a[i], c.b[i]);
   const auto half_gap = [&](int k) { return 0.5 * std::abs(c.gap[k]); };
   // Another contact of theirs at this place, on the same face, goes on.
   const double flush = kFlush * size;

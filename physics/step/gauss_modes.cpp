@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physics/math/roots.h"
+#include "physics/model/pair_size.h"
 
 namespace carom {
 namespace {
@@ -261,7 +262,7 @@ bool stay_open(const GaussStep& step, const GaussIsland& island) {
     if (!find_contact(step.world, found.a[i], island.at_end(found.a[i]), found.b[i], island.at_end(found.b[i]),
                       step.found.id[static_cast<std::size_t>(i)], contact, velocity))
       return false;
-    const double size = step.world.shapes().size[found.a[i]] + step.world.shapes().size[found.b[i]];
+    const double size = pair_size(step.world.shapes(), found.a[i], found.b[i]);
     return contact.gap < std::min(found.gap[i], 0.0) - kOpen * size;
   });
 }

@@ -6,6 +6,7 @@
 
 #include "physics/collision/pair_contact.h"
 #include "physics/math/sort_unique.h"
+#include "physics/model/pair_size.h"
 #include "physics/step/event_driven_impacts.h"
 #include "physics/step/internal_edges.h"
 #include "physics/step/pair_motion.h"
@@ -67,7 +68,7 @@ bool EventDrivenImpacts::find_touches(const Step& step, BodyIndex a, BodyIndex b
   }
   const auto pose = [&](BodyIndex i) { return shapes.pose(i, motion_at(trajectories, i, time).head<3>()); };
   // What is flush lands together.
-  const double margin = tolerance + kTogether * (shapes.size[a] + shapes.size[b]);
+  const double margin = tolerance + kTogether * pair_size(shapes, a, b);
   found_.clear();
   bool touch = false;
   each_manifold(shapes, a, shapes.pose(a, qa), b, shapes.pose(b, qb), margin, [&](const Manifold& ends) {

@@ -8,6 +8,7 @@
 #include "physics/collision/pair_contact.h"
 #include "physics/collision/smooth_surface.h"
 #include "physics/model/convex.h"
+#include "physics/model/pair_size.h"
 #include "physics/step/world.h"
 
 // Edges at which another body, or another shape of the same one, continues a surface: nothing is hit there.
@@ -33,7 +34,7 @@ template <class PoseOf>
   const Vec2 half = 0.5 * contact.gap * contact.normal;
   const auto on_seam_of = [&](BodyIndex owner, ShapeIndex part, const Vec2& at, BodyIndex toucher,
                               ShapeIndex touching, const Vec2& over, const Vec2& normal) {
-    const double tolerance = kFlush * (g.size[owner] + g.size[toucher]) + 1e-12 * contact.point.lpNorm<1>();
+    const double tolerance = kFlush * pair_size(g, owner, toucher) + 1e-12 * contact.point.lpNorm<1>();
     const auto continues = [&](BodyIndex other) {
       bool any = false;
       g.each_part(other, [&](ShapeIndex piece) {
@@ -159,7 +160,7 @@ template <class PoseOf, class Continued>
   const Pose pose_a = g.part_pose(a, part_a, pose(a));
   const Pose pose_b = g.part_pose(b, part_b, pose(b));
   const Vec2 half = 0.5 * at.gap * m.normal;
-  const double near = kFlush * (g.size[a] + g.size[b]);
+  const double near = kFlush * pair_size(g, a, b);
   std::optional<Contact> on_face =
       corner_over_face(g.shapes, part_a, pose_a, part_b, pose_b, at.point + half, m.normal, near);
   if (!on_face) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/collision/time_of_impact.h"
+#include "physics/model/pair_size.h"
 #include "physics/step/apply_impact.h"
 #include "physics/step/coming_to_rest.h"
 #include "physics/step/contact_patch.h"
@@ -157,7 +158,7 @@ void RestingContacts::list_landing_with(const World& world, const Landing& landi
     for (const Landing& other : found_.landings) {
       if ((!shares(from.a, other) && !shares(from.b, other)) || is_listed(other)) continue;
       const std::optional<Contact> contact = hit_now(world, other);
-      const double flush = kFlush * (world.shapes().size[other.a] + world.shapes().size[other.b]);
+      const double flush = kFlush * pair_size(world.shapes(), other.a, other.b);
       if (!contact || contact->gap > flush) continue;
       together_.push_back(other);
       several = several || other.a != landing.a || other.b != landing.b;

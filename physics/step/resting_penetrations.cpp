@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "physics/contact/contact_velocity.h"
+#include "physics/model/pair_size.h"
 #include "physics/step/island_spin.h"
 #include "physics/step/pair_motion.h"
 #include "physics/step/penetrations.h"
@@ -31,8 +32,9 @@ void RestingContacts::project_penetrations(World& world) {
     const double shallow =
         found_.is_new(i) ? 0.0
                          : kShallow * found_.press[static_cast<std::size_t>(i)] * step_length_ * step_length_;
-    const double of_pair = world.shapes().size[c.a[i]] + world.shapes().size[c.b[i]];
-    if (!(c.gap[i] < -std::max(shallow, 16.0 * kPenetration * of_pair))) continue;
+    const double sizes = world.shapes().size[c.a[i]] + world.shapes().size[c.b[i]];
+    if (!(c.gap[i] < -std::max(shallow, 16.0 * kPenetration * sizes))) continue;
+    const double of_pair = pair_size(world.shapes(), c.a[i], c.b[i]);
     deepest = std::max(deepest, -c.gap[i] / of_pair);
     size = size > 0.0 ? std::min(size, of_pair) : of_pair;
   }

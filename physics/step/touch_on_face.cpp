@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/math/vectors.h"
+#include "physics/model/pair_size.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -20,7 +21,7 @@ std::optional<TouchOnFace> touch_by(const World& world, const FoundContacts& fou
   if (!is_round(shapes, other.part)) {
     const Vec2 point = found.point[static_cast<std::size_t>(i)] - shapes.rounding[other.part] * other.out;
     const Corner* corner = core_corner_at(shapes, other.part, other.of_part(point),
-                                          kAtCorner * sizes(world, own.body, other.body));
+                                          kAtCorner * pair_size(world.shapes(), own.body, other.body));
     if (corner == nullptr) return std::nullopt;
     on.tip = corner->vertex;
   }
@@ -96,7 +97,7 @@ double speed_along(const World& world, const TouchOnFace& on, const Motion& touc
 
 double past_seam(const World& world, const TouchOnFace& on) {
   const double size = world.shapes().size[on.toucher];
-  return std::max(kPastSeam * size, 4.0 * kFlush * sizes(world, on.body, on.toucher));
+  return std::max(kPastSeam * size, 4.0 * kFlush * pair_size(world.shapes(), on.body, on.toucher));
 }
 
 bool law_changes(const World& world, const TouchOnFace& on, bool at_end, const Neighbours& neighbours) {
@@ -118,7 +119,8 @@ bool law_changes(const World& world, const TouchOnFace& on, bool at_end, const N
       if (!face) return;
       const Vec2 at = there.turned_back(Vec2(point - there.position));
       const double place = face->place_of(at);
-      const double tolerance = kFlush * sizes(world, on.body, on.toucher) + 1e-12 * point.lpNorm<1>();
+      const double tolerance =
+          kFlush * pair_size(world.shapes(), on.body, on.toucher) + 1e-12 * point.lpNorm<1>();
       changes = std::abs(face->normal.dot(at - face->vertex)) <= tolerance && place >= 0.0 &&
                 place <= face->length && law_on(world, on, body, part) != law;
     });
