@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "physics/math/vectors.h"
+#include "physics/model/pair_size.h"
 
 namespace carom {
 namespace {
@@ -13,8 +14,8 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRounding = 8.0 * kEpsilon;  // of a separation, relative to the frame's scale
 // Cosine of the angle between the normals of two edges that are no corner but two faces.
 constexpr double kFaces = 0.999;
-// Tips that have gone into each other, relative to the scale: by more than this, and edges part them equally
-// well within the second.
+// Tips that have gone into each other, by more than this of the size, and edges part them equally well
+// within the second, of the scale.
 constexpr double kDeep = 1e-7;
 constexpr double kTied = 1e-11;
 
@@ -96,8 +97,8 @@ void add_up(const PairFrame& frame, double tie, Sum& sum) {
     ++count;
   } while (left_a + left_b > 0);
   bool prefer_a = nearest_a >= 0 && best_a >= best_b - kRounding * frame.scale;
-  if (!prefer_a && nearest_a >= 0 && nearest_b >= 0 && std::abs(best_b) <= tie * frame.scale &&
-      best_a >= best_b - tie * frame.scale)
+  if (!prefer_a && nearest_a >= 0 && nearest_b >= 0 && std::abs(best_b) <= tie * frame.size &&
+      best_a >= best_b - tie * frame.size)
     prefer_a = sum.edge[nearest_a].normal.dot(sum.edge[nearest_b].normal) < kFaces;
   sum.count = count;
   sum.farthest = prefer_a ? nearest_a : nearest_b;
@@ -124,6 +125,7 @@ PairFrame::PairFrame(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose_
               pose_a.cos * pose_b.cos + pose_a.sin * pose_b.sin,
               pose_a.cos * pose_b.sin - pose_a.sin * pose_b.cos};
   scale = relative.position.lpNorm<Eigen::Infinity>() + shapes.core_radius[i] + shapes.core_radius[j];
+  size = std::min(scale, 2.0 * pair_size(shapes.core_radius[i], shapes.core_radius[j]));
   for (int k = 0; k < shapes.corners[j]; ++k) {
     vertex[k] = relative.position + relative.turned(b[k].vertex);
     normal[k] = relative.turned(b[k].normal);
@@ -139,7 +141,7 @@ ClosestFeatures parting_edge(const PairFrame& frame, double tie) {
 std::optional<OverlappingTips> overlapping_tips(const PairFrame& frame) {
   Sum sum;
   add_up(frame, 0.0, sum);
-  if (!(sum.separation < -kDeep * frame.scale)) return std::nullopt;
+  if (!(sum.separation < -kDeep * frame.size)) return std::nullopt;
   Vec2 all = Vec2::Zero();
   for (int k = 0; k < sum.count; ++k) {
     if (sum.edge[k].separation() >= sum.separation - kTied * frame.scale) all += sum.edge[k].normal;

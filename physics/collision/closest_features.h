@@ -15,6 +15,7 @@ struct PairFrame {
   int edges_a;
   int edges_b;
   double scale;                            // m, of the coordinates here
+  double size;                             // m, likewise, or of the smaller core if that is less (pair_size)
   Pose relative;                           // of b
   std::array<Vec2, kMostVertices> vertex;  // of b, in the frame of a
   std::array<Vec2, kMostVertices> normal;
@@ -40,7 +41,7 @@ struct ClosestFeatures {
 // of a go before those of b. At least one of the cores must have edges.
 //
 // Where two corners meet, an edge of either may part the bodies, and noise would change the normal from one to
-// the other. With a `tie` (relative to the scale) above rounding, an edge of a is taken there if it parts them
+// the other. With a `tie` (relative to the size) above rounding, an edge of a is taken there if it parts them
 // worse by no more than that.
 [[nodiscard]] ClosestFeatures closest_features(const PairFrame& frame, double tie = 0.0);
 

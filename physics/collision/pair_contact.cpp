@@ -9,20 +9,21 @@
 #include "physics/collision/feature_id.h"
 #include "physics/collision/tips.h"
 #include "physics/math/vectors.h"
+#include "physics/model/pair_size.h"
 
 namespace carom {
 namespace {
 
-// Two faces are parallel if the gaps at both ends differ by no more than this share of the scale: a body that
+// Two faces are parallel if the gaps at both ends differ by no more than this share of the size: a body that
 // rests on another is tilted by what the solver of its contact forces leaves, up to 1e-10.
 constexpr double kFlat = 1e-9;
 // A stretch shorter than this share of the scale is a point.
 constexpr double kShort = 16.0 * std::numeric_limits<double>::epsilon();
 // Likewise where faces are preferred: what slides along a face passes corners that are flush with it.
 constexpr double kTipOfFaces = 32.0 * std::numeric_limits<double>::epsilon();
-// Between corners that are nearer than this share of the scale, the direction from one to the other is noise.
+// Between corners that are nearer than this share of the size, the direction from one to the other is noise.
 constexpr double kBlunt = 1e-4;
-// Relative to the scale: where corners meet, edges that part two bodies equally well within this.
+// Relative to the size: where corners meet, edges that part two bodies equally well within this.
 constexpr double kTie = 1e-8;
 
 // Where two bodies touch or are nearest, relative to the position of body a in the frame in which they were
@@ -63,8 +64,8 @@ Face face(const Vec2& low, const Vec2& high, const Vec2& normal) {
 
 // Finds the stretch that two faces share. If it is no longer than rounding, it is one point; without one,
 // `touch` keeps its point.
-void clip(const Face& a, const Face& b, double rounding_a, double rounding_b, double scale, int edge_a,
-          int edge_b, Touch& touch) {
+void clip(const Face& a, const Face& b, double rounding_a, double rounding_b, double scale, double size,
+          int edge_a, int edge_b, Touch& touch) {
   const double low = std::max(a.low, b.low);
   const double high = std::min(a.high, b.high);
   const Vec2 along = tangent(touch.normal);
@@ -82,7 +83,7 @@ void clip(const Face& a, const Face& b, double rounding_a, double rounding_b, do
     const Vec2 point = between(x * along + on_b * touch.normal, rounding_b, gap, touch.normal);
     touch.points[touch.count++] = {point, gap, feature_id(x == low ? Ends::kLow : Ends::kHigh, edge_a, edge_b)};
   }
-  touch.flat = std::abs(touch.points[1].gap - touch.points[0].gap) <= kFlat * scale;
+  touch.flat = std::abs(touch.points[1].gap - touch.points[0].gap) <= kFlat * size;
 }
 
 // The one of the two edges at a corner that faces `normal` most.
@@ -119,7 +120,7 @@ void clip_at(const PairFrame& frame, const ClosestFeatures& closest, double roun
   touch.points[0].id = feature_id(Ends::kOne, edge_a, edge_b);
   clip(face(frame.a[edge_a].vertex, frame.a[after(edge_a, frame.edges_a)].vertex, touch.normal),
        face(frame.vertex[after(edge_b, frame.edges_b)], frame.vertex[edge_b], touch.normal), rounding_a,
-       rounding_b, frame.scale, edge_a, edge_b, touch);
+       rounding_b, frame.scale, frame.size, edge_a, edge_b, touch);
 }
 
 // With `prefer_faces`, two faces that share a stretch touch there with the normal of one of them, even if
@@ -150,7 +151,7 @@ Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
   touch.point = between(on_b, rounding_b, touch.gap, touch.normal);
   touch.points[0] = {touch.point, touch.gap, feature_id(Ends::kVertices, closest.vertex_a, closest.vertex_b)};
   const bool corners = closest.edge_a < 0 && closest.edge_b < 0;
-  const bool blunt = prefer_faces && closest.separation > 0.0 && closest.separation <= kBlunt * frame.scale;
+  const bool blunt = prefer_faces && closest.separation > 0.0 && closest.separation <= kBlunt * frame.size;
   // Faces that touch from end to end: which of their corners are nearest is rounding.
   const bool end_to_end = corners && closest.separation > 0.0 && closest.separation <= kTip * frame.scale;
   if (prefer_faces ? corners || blunt : end_to_end) {
@@ -159,7 +160,7 @@ Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
     faces.normal = edge.normal;
     clip_at(frame, edge, rounding_a, rounding_b, faces);
     const bool share = faces.count == 2 && (prefer_faces || faces.flat);
-    if (share && std::min(faces.points[0].gap, faces.points[1].gap) <= touch.gap + kTie * frame.scale)
+    if (share && std::min(faces.points[0].gap, faces.points[1].gap) <= touch.gap + kTie * frame.size)
       return faces;
     if (blunt) {
       if (faces.count == 1) faces.gap = faces.points[0].gap = edge.separation - (rounding_a + rounding_b);
@@ -229,8 +230,9 @@ Touch touch_of_half_plane(const ConvexShapes& shapes, ShapeIndex plane, const Po
   const double infinite = std::numeric_limits<double>::infinity();
   const Corner& edge = *shapes.corners_of(plane);
   const double floor = edge.normal.dot(edge.vertex);
-  clip({-infinite, infinite, floor, floor}, face(on_core(after(e, count)), on_core(e), n), 0.0, rounding,
-       d.lpNorm<Eigen::Infinity>() + shapes.core_radius[body], 0, e, touch);
+  const double scale = d.lpNorm<Eigen::Infinity>() + shapes.core_radius[body];
+  clip({-infinite, infinite, floor, floor}, face(on_core(after(e, count)), on_core(e), n), 0.0, rounding, scale,
+       pair_size(shapes.core_radius[body], scale), 0, e, touch);
   return touch;
 }
 

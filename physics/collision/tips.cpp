@@ -5,7 +5,7 @@
 namespace carom {
 namespace {
 
-// Relative to the scale: what slides on a support is off its place by what the solver of its contact forces
+// Relative to the size: what slides on a support is off its place by what the solver of its contact forces
 // leaves, up to 1e-10.
 constexpr double kFlush = 1e-8;
 // Normals differ by rounding, or by less than this, squared or as a sine.
@@ -78,7 +78,7 @@ std::optional<TipNormals> tip_normals(const ConvexShapes& shapes, ShapeIndex a, 
                                       ShapeIndex b, const Pose& pose_b) {
   if (!has_tips(shapes, a) || !has_tips(shapes, b)) return std::nullopt;
   const PairFrame frame(shapes, a, pose_a, b, pose_b);
-  const auto tips = tips_that_meet(shapes, a, b, frame, kFlush * frame.scale);
+  const auto tips = tips_that_meet(shapes, a, b, frame, kFlush * frame.size);
   if (!tips || tips->of_a.reentrant || tips->of_b.reentrant) return std::nullopt;
   const auto common = common_normals(tips->of_a, tips->of_b);
   if (!common) return std::nullopt;
