@@ -15,7 +15,7 @@ struct PairFrame {
   int edges_a;
   int edges_b;
   double scale;                            // m, of the coordinates here
-  double size;                             // m, likewise, or of the smaller core if that is less (pair_size)
+  double size;                             // m, that of the smaller core (pair_size), at most the scale
   Pose relative;                           // of b
   std::array<Vec2, kMostVertices> vertex;  // of b, in the frame of a
   std::array<Vec2, kMostVertices> normal;

@@ -5,7 +5,8 @@
 #include "physics/model/geometry.h"
 
 // The size that a tolerance of a contact refers to: that of the smaller of two, as what is near for a small
-// body on a long floor has nothing to do with the floor's length.
+// body on a long floor has nothing to do with the floor's length. (How far a pair may move refers to
+// smaller_size() in step/pair_motion.h, where what nothing moves doesn't count.)
 namespace carom {
 
 // Of the sum of both: the coordinates on the larger one are rounded by its size.

@@ -14,8 +14,8 @@
 // Edges at which another body, or another shape of the same one, continues a surface: nothing is hit there.
 namespace carom {
 
-// Relative to the sizes: a resting body is off its place by what the solver of its contact forces leaves, up
-// to 1e-10.
+// Relative to the pair's size: a resting body is off its place by what the solver of its contact forces leaves,
+// up to 1e-10.
 inline constexpr double kFlush = 1e-8;
 
 // Whether a and b can touch at an edge that a third body continues: only corners can.

@@ -7,7 +7,7 @@
 // Relative motion of two bodies, and its rounding.
 namespace carom {
 
-// Relative to the sizes: points touch together if their gaps differ by less.
+// Relative to the pair's size: points touch together if their gaps differ by less.
 inline constexpr double kTogether = 1e-9;
 
 // At the start of the body's trajectory.
