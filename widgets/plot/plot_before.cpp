@@ -106,9 +106,10 @@ void PlotBefore::set_line_shown(std::size_t line, bool shown) {
   show_lines();
 }
 
-void PlotBefore::set_theme(const Theme& theme, bool one_run) {
+void PlotBefore::set_theme(const Theme& theme, const std::vector<QPen>& pens) {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    QPen pen = pen_of_run(one_run ? i : 0, theme, kWidth);
+    QPen pen = pens[i];
+    pen.setWidthF(std::min(pen.widthF(), kWidth));
     pen.setColor(blend(pen.color(), theme.panel, kPale));
     if (!lines_[i].wanted) pen.setStyle(Qt::SolidLine);
     lines_[i].item->setPen(pen);

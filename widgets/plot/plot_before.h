@@ -50,7 +50,8 @@ class PlotBefore {
   [[nodiscard]] bool there() const;
   void set_shown(bool shown);
   void set_line_shown(std::size_t line, bool shown);
-  void set_theme(const Theme& theme, bool one_run);
+  // `pens`: of the present run's curves.
+  void set_theme(const Theme& theme, const std::vector<QPen>& pens);
   // Reads the record within this time of the present clock, for so many columns of pixels.
   void update_from(const QwtInterval& time, int columns);
   // Of the visible curves, and along x; invalid without any.

@@ -42,6 +42,18 @@ namespace {
 constexpr double kSumWidth = 4.5;  // px
 constexpr int kLeastHeight = 120;  // px: two of them below the inspector of a small window
 
+// Of a part or a component beside the main line, where several runs are plotted: the colour is that of the run,
+// the dashes are those of the part, and further apart the later the run. No main line has them: its gaps are
+// 2 widths.
+QPen pen_of_part(std::size_t part, std::size_t run, const Theme& theme) {
+  const double gap = 3.0 + 1.5 * static_cast<double>(run);  // widths of the pen
+  const std::array<QList<qreal>, 4> dashes = {
+      QList<qreal>{7.0, gap}, {1.0, gap}, {7.0, gap, 1.0, gap}, {7.0, gap, 1.0, gap, 1.0, gap}};
+  QPen pen(theme.series[run % theme.series.size()], 0.7 * kPlotLineWidth);
+  pen.setDashPattern(dashes[part % dashes.size()]);
+  return pen;
+}
+
 }  // namespace
 
 RunPlot::RunPlot(PlotContent content, const Theme& theme, QWidget* parent)
@@ -206,15 +218,14 @@ bool RunPlot::is_main(std::size_t line) const {
                                      : line == static_cast<std::size_t>(sum - content_.lines.begin());
 }
 
-// With one run each line has its colour; with several each run has, and secondary lines are fainter.
+// With one run each line has its colour; with several each run has, and the lines beside the main one are
+// thinner.
 QPen RunPlot::pen(std::size_t line, std::size_t run) const {
-  constexpr double kBack = 0.55;
   if (runs_.size() > 1) {
-    QPen pen = pen_of_run(run, theme_);
-    if (is_main(line)) return pen;
-    pen.setColor(blend(pen.color(), theme_.panel, kBack));
-    pen.setWidthF(0.7 * kPlotLineWidth);
-    return pen;
+    if (is_main(line)) return pen_of_run(run, theme_);
+    std::size_t part = line;
+    for (std::size_t k = 0; k < line; ++k) part -= is_main(k) ? 1 : 0;
+    return pen_of_part(part, run, theme_);
   }
   QPen pen = pen_of_run(line, theme_);
   if (!content_.lines[line].sum) return pen;
@@ -232,7 +243,10 @@ void RunPlot::set_looks() {
       if (!content_.lines[i].curve) set_heads(lines_[i].items[k]);
     }
   }
-  before_->set_theme(theme_, runs_.size() <= 1);
+  std::vector<QPen> pens;
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    pens.push_back(runs_.size() > 1 ? pen(i, 0) : pen_of_run(i, theme_));
+  before_->set_theme(theme_, pens);
 }
 
 // The first run's curves are drawn over the others'; a single run's sum is drawn behind its parts.

@@ -2,6 +2,9 @@
 #include <QTest>
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <qwt_plot.h>
+#include <qwt_plot_curve.h>
+#include <qwt_text.h>
 
 #include "app/lab/drawer.h"
 #include "app/lab/lab_window.h"
@@ -12,6 +15,7 @@
 #include "widgets/compare/compare_table.h"
 #include "widgets/plot/legend_button.h"
 #include "widgets/plot/plot_panel.h"
+#include "widgets/plot/run_plot.h"
 
 namespace carom {
 namespace {
@@ -57,6 +61,39 @@ TEST_F(LabCompareTest, OneKeyMakesEulerRk4AndTheExactRun) {
   usual()->trigger();
   EXPECT_EQ(window_.preset().method, own);
   EXPECT_TRUE(window_.preset().compare.empty());
+}
+
+// In the plots: each curve of each run has a line of its own, as plain as the main one.
+TEST_F(LabCompareTest, NoTwoCurvesLookAlike) {
+  usual()->trigger();
+  window_.run_until(0.5);
+  auto* plots = window_.findChild<PlotPanel*>();
+  ASSERT_EQ(plots->runs().size(), 3U);
+  RunPlot* energy = plots->plots().front();
+  ASSERT_EQ(energy->content().plot.id, "energy");
+  std::vector<QPen> pens;
+  for (const QwtPlotItem* item : energy->plot()->itemList(QwtPlotItem::Rtti_PlotCurve)) {
+    const auto* curve = static_cast<const QwtPlotCurve*>(item);
+    const bool has_points = curve->isVisible() && curve->dataSize() > 0;
+    const QString title = curve->title().text();
+    if (has_points && (title == "kinetic" || title == "potential" || title == "total"))
+      pens.push_back(curve->pen());
+  }
+  ASSERT_EQ(pens.size(), 9U);
+  for (std::size_t i = 0; i < pens.size(); ++i) {
+    const auto& series = light_theme().series;
+    EXPECT_NE(std::find(series.begin(), series.end(), pens[i].color()), series.end()) << "not faded";
+    for (std::size_t k = 0; k < i; ++k) {
+      EXPECT_NE(pens[i], pens[k]);
+      EXPECT_NE(pens[i].dashPattern(), pens[k].dashPattern()) << "colour is not the only cue";
+    }
+  }
+  const auto legend = energy->legend();
+  const auto pen = [&legend](const QString& name) {
+    return std::find_if(legend.begin(), legend.end(), [&](const auto& each) { return each.first == name; })
+        ->second;
+  };
+  EXPECT_NE(pen("kinetic").dashPattern(), pen("potential").dashPattern());
 }
 
 TEST_F(LabCompareTest, APresetOpensWithItsComparison) {

@@ -40,16 +40,29 @@ class PlotBeforeTest : public testing::Test {
     return std::any_of(legend.begin(), legend.end(),
                        [](const auto& each) { return each.first == "run before"; });
   }
-  // From its first to its last point, in s of the plot.
-  [[nodiscard]] QwtInterval pale() const {
-    constexpr double kPale = 10.0;
+  // Those that have points, at this depth of the plot.
+  [[nodiscard]] std::vector<const QwtPlotCurve*> curves(double depth) const {
+    std::vector<const QwtPlotCurve*> found;
     for (const QwtPlotItem* item : plot().plot()->itemList(QwtPlotItem::Rtti_PlotCurve)) {
       const auto* curve = static_cast<const QwtPlotCurve*>(item);
-      if (curve->z() != kPale || !curve->isVisible() || curve->dataSize() == 0) continue;
-      return {curve->sample(0).x(), curve->sample(static_cast<int>(curve->dataSize()) - 1).x()};
+      if (curve->z() == depth && curve->isVisible() && curve->dataSize() > 0) found.push_back(curve);
     }
-    return {};
+    return found;
   }
+  [[nodiscard]] std::vector<QPen> pens(double depth) const {
+    std::vector<QPen> pens;
+    for (const QwtPlotCurve* curve : curves(depth)) pens.push_back(curve->pen());
+    return pens;
+  }
+  // From its first to its last point, in s of the plot.
+  [[nodiscard]] QwtInterval pale() const {
+    if (curves(kPale).empty()) return {};
+    const QwtPlotCurve& curve = *curves(kPale).front();
+    return {curve.sample(0).x(), curve.sample(static_cast<int>(curve.dataSize()) - 1).x()};
+  }
+
+  static constexpr double kPale = 10.0;
+  static constexpr double kFirst = 20.0;
 
   std::shared_ptr<Recorder> now_ = std::make_shared<Recorder>();
   PlotPanel panel_{light_theme()};
@@ -67,6 +80,23 @@ TEST_F(PlotBeforeTest, IsBelowTheRunAndInTheLegendWhileThereIsOne) {
   show(std::nullopt);
   EXPECT_FALSE(in_legend());
   EXPECT_FALSE(pale().isValid());
+}
+
+// x and y, beside one run or several.
+TEST_F(PlotBeforeTest, ItsCurvesHaveTheLinesOfTheFirstRunButPale) {
+  for (const std::size_t runs : {1U, 2U}) {
+    panel_.update_from(std::vector<PlottedRun>(runs, {now_, "run"}));
+    show(before());
+    const std::vector<QPen> pale = pens(kPale);
+    const std::vector<QPen> first = pens(kFirst);
+    ASSERT_EQ(pale.size(), 2U) << runs;
+    ASSERT_EQ(first.size(), 2U) << runs;
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(pale[i].dashPattern(), first[i].dashPattern()) << runs;
+      EXPECT_NE(pale[i].color(), first[i].color()) << runs;
+    }
+    EXPECT_NE(pale[0].dashPattern(), pale[1].dashPattern()) << runs;
+  }
 }
 
 TEST_F(PlotBeforeTest, StandsByTheClockOfThePresentRun) {
