@@ -81,7 +81,22 @@ class Builder {
     if (!seen_.meets(at, bounding_radius(body.shape) + out_.outline / in_.camera.scale)) return;
     const QColor& fill = free(i) ? in_.theme.body_fill : in_.theme.wall_fill;
     const QColor& line = free(i) ? in_.theme.body_line : in_.theme.wall_line;
+    const Counts before = counts();
     add_shape(body.shape, at, angle, free(i), fill, line);
+    if (!body.fixed) name_items(i, before);
+  }
+
+  struct Counts {
+    std::size_t boxes;
+    std::size_t polygons;
+    std::size_t discs;
+  };
+  [[nodiscard]] Counts counts() const { return {out_.boxes.size(), out_.polygons.size(), out_.discs.size()}; }
+  // Those since then are of this body.
+  void name_items(int body, const Counts& since) {
+    for (std::size_t k = since.boxes; k < out_.boxes.size(); ++k) out_.boxes[k].body = body;
+    for (std::size_t k = since.polygons; k < out_.polygons.size(); ++k) out_.polygons[k].body = body;
+    for (std::size_t k = since.discs; k < out_.discs.size(); ++k) out_.discs[k].body = body;
   }
 
   void add_shape(const Shape& shape, const Vec2& at, double angle, bool free, const QColor& fill,
@@ -148,7 +163,8 @@ class Builder {
       const double angle = in_.frame.state.q(2, i);
       const double low = lowest(body.shape, angle);
       const double high = -lowest(body.shape, angle + std::numbers::pi);
-      out_.labels.push_back({at + Vec2(0.0, low), drop, QString::fromStdString(body.name), color, high - low});
+      out_.labels.push_back({at + Vec2(0.0, low), drop, QString::fromStdString(body.name), color, high - low,
+                             Drawing::LabelItem::Named{i, at, half.x()}});
     }
   }
 

@@ -4,6 +4,7 @@
 #include <QPointF>
 #include <QString>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -20,6 +21,9 @@ namespace carom {
 // QPainter paint the same list. Painted in this order: grid, boxes, polygons, springs and thin walls, discs,
 // joints and contact points, arrows, text.
 struct Drawing {
+  // Of shapes that are not those of a body that can move.
+  static constexpr int kNoBody = -1;
+
   struct DiscItem {
     Vec2 center;
     double radius;
@@ -27,6 +31,7 @@ struct Drawing {
     QColor fill;
     QColor line;
     bool oriented;  // draws the line from its centre to its rim
+    int body = kNoBody;
   };
   struct BoxItem {
     Vec2 center;
@@ -34,6 +39,7 @@ struct Drawing {
     double angle;
     QColor fill;
     QColor line;
+    int body = kNoBody;
   };
   // A convex polygon, its corners rounded.
   struct PolygonItem {
@@ -42,6 +48,7 @@ struct Drawing {
     double rounding;  // m, added on all sides
     QColor fill;
     QColor line;
+    int body = kNoBody;
   };
   // A straight line with round ends; a dot where its ends coincide.
   struct SegmentItem {
@@ -56,13 +63,20 @@ struct Drawing {
     QColor color;
     double width;  // px, of the shaft
   };
-  // Text centred under a point of the world.
+  // Text centred under a point of the world, or the name of a body.
   struct LabelItem {
+    // What has a name.
+    struct Named {
+      int body;
+      Vec2 centre;
+      double half_width;  // m
+    };
     Vec2 anchor;
     double drop;  // px below the anchor
     QString text;
     QColor color;
     double rise = 0.0;  // m: with no place below the anchor it stands so far above, and `drop`
+    std::optional<Named> named{};
   };
   // An arrow of the picked impact.
   struct JumpArrow {

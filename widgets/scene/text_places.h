@@ -22,9 +22,9 @@ struct NamePlace {
   std::size_t label = 0;  // of the drawing
   QRectF rect;
 };
-// Below their bodies, lower where something is in the way, or else above them where a scale or the view's lower
-// edge is. Overlapping names are unreadable, so the later one
-// is left out.
+// Below their bodies, lower where something is in the way; else within their bodies, above or beside them: a
+// name on another body that moves would be unreadable, or taken for that one's. Without such a place, or where
+// names would overlap, the later one is left out.
 [[nodiscard]] std::vector<NamePlace> name_places(const Drawing& drawing, const Camera& camera,
                                                  const QFont& font, const Obstacles& obstacles);
 
