@@ -1,7 +1,9 @@
 #include <QLineF>
 #include <algorithm>
 #include <span>
+#include <utility>
 
+#include "physics/scene/drive.h"
 #include "widgets/scene/drag_limits.h"
 #include "widgets/scene/grid.h"
 #include "widgets/scene/new_body.h"
@@ -14,10 +16,14 @@ namespace carom {
 Stroke SceneTools::stroke() const {
   const SceneSight sight = sight_();
   const Camera& camera = sight.camera;
+  std::vector<Body> bodies;
+  if (sight.frame && sight.frame->scene) bodies = sight.frame->scene->bodies;
+  for (Body& body : bodies) body = moved_by_drive(std::move(body), sight.frame->time);
   return {.from = camera.to_world(press_),
           .to = point(keys_),
           .grid = sight.grid ? grid_spacing(camera) : 0.0,
-          .side = std::min(camera.viewport.width(), camera.viewport.height()) / camera.scale};
+          .side = std::min(camera.viewport.width(), camera.viewport.height()) / camera.scale,
+          .bodies = std::move(bodies)};
 }
 
 Body SceneTools::body_of(const Drawn& drawn) const {

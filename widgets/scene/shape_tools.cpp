@@ -48,10 +48,20 @@ Drawn usual_box(const Stroke& stroke) {
   return box(stroke, Vec2::Constant(usual_size(stroke)), start_of(stroke));
 }
 
+// A corner of a box with level sides: on the level and upright edges of bodies near by, so that its sides lie
+// on them, else as all places.
+Vec2 corner_at(const Vec2& at, const Stroke& stroke) {
+  Vec2 place = drawn_place(at, stroke.to, stroke.grid);
+  if (!snaps(stroke.to)) return place;
+  return on_level_edges(at, place, stroke.bodies, kSnapReach / stroke.to.scale);
+}
+
 Drawn box_by_corners(const Stroke& stroke) {
-  const Vec2 from = start_of(stroke);
-  const Vec2 across = stroke.to.at - from;
-  Vec2 size(drawn_length(std::abs(across.x()), stroke.to), drawn_length(std::abs(across.y()), stroke.to));
+  constexpr double kRounding = 1e-12;  // m, of the difference of two places
+  const Vec2 from = corner_at(stroke.from, stroke);
+  const Vec2 across = corner_at(stroke.to.at, stroke) - from;
+  Vec2 size(snapped(std::abs(across.x()), kRounding), snapped(std::abs(across.y()), kRounding));
+  size = size.cwiseMax(drawn_length(0.0, stroke.to));
   if (shift(stroke)) size.setConstant(size.maxCoeff());
   const Vec2 half(std::copysign(0.5 * size.x(), across.x()), std::copysign(0.5 * size.y(), across.y()));
   return box(stroke, size, from + half);

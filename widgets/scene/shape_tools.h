@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <vector>
 
 #include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
@@ -12,8 +13,9 @@ namespace carom {
 struct Stroke {
   Vec2 from = Vec2::Zero();  // m
   DragPoint to;
-  double grid = 0.0;  // m, spacing; 0: none to snap to
-  double side = 4.0;  // m, the shorter side of the view
+  double grid = 0.0;           // m, spacing; 0: none to snap to
+  double side = 4.0;           // m, the shorter side of the view
+  std::vector<Body> bodies{};  // as they stand; corners snap to their surfaces
 };
 
 // What a tool draws.

@@ -17,6 +17,7 @@ namespace {
 constexpr double kLeastSpacing = 1.0;   // px between neighbouring values
 constexpr double kLargestSpacing = 16;  // px
 constexpr int kIterations = 8;          // of Newton's, to the touching place on an axis
+constexpr double kLevel = 1e-9;         // of its length: an edge that falls no more is level
 constexpr double kLeastSlope = 0.1;     // of the gap along an axis: flatter ones meet too far away
 
 std::optional<Vec2> place_of_touch(const Body& body, const Body& other, double reach,
@@ -108,6 +109,44 @@ std::optional<Vec2> on_rim(const Shape& shape, const Vec2& place, double reach) 
     take(rim, part.position + nearest_on_rim(part.outline, place - part.position));
   }
   return corner ? corner : rim;
+}
+
+Vec2 on_level_edges(const Vec2& place, const Vec2& otherwise, std::span<const Body> bodies, double reach) {
+  Vec2 moved = otherwise;
+  Vec2 nearest = Vec2::Constant(reach);
+  const auto take = [&](const Vec2& from, const Vec2& to) {
+    for (const int k : {0, 1}) {
+      if (std::abs(to[k] - from[k]) > kLevel * (to - from).norm()) continue;
+      const double away = std::abs(from[k] - place[k]);
+      const auto [low, high] = std::minmax(from[1 - k], to[1 - k]);
+      if (away > nearest[k] || place[1 - k] < low - reach || place[1 - k] > high + reach) continue;
+      nearest[k] = away;
+      moved[k] = from[k];
+    }
+  };
+  for (const Body& body : bodies) {
+    const Eigen::Rotation2Dd turned(body.angle);
+    if (is_half_plane(body.shape)) {
+      const Vec2 along = turned * Vec2::UnitX();
+      const Vec2 beside = body.position + along.dot(place - body.position) * along;
+      take(beside - reach * along, beside + reach * along);
+      continue;
+    }
+    if ((body.position - place).norm() > bounding_radius(body.shape) + 2.0 * reach) continue;
+    for (const ConvexPart& part : boundaries_of(body.shape)) {
+      const std::vector<Vec2>& v = part.outline.vertices;
+      for (std::size_t i = 0; v.size() > 1 && i < v.size(); ++i) {
+        const Vec2& from = v[i];
+        const Vec2& to = v[(i + 1) % v.size()];
+        const Vec2 out = -part.outline.rounding * crossed(to - from).normalized();
+        const auto placed = [&](const Vec2& at) -> Vec2 {
+          return body.position + turned * (part.position + at + out);
+        };
+        take(placed(from), placed(to));
+      }
+    }
+  }
+  return moved;
 }
 
 std::optional<Touch> touching_place(const Body& body, std::span<const Body> others, double reach,

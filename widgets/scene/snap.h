@@ -26,6 +26,11 @@ inline constexpr double kDirectionStep = 15.0;  // degrees
 // its rim; nothing if none is that near.
 [[nodiscard]] std::optional<Vec2> on_rim(const Shape& shape, const Vec2& place, double reach);
 
+// A place moved along each axis to the nearest level or upright edge of a body within `reach` m of it; along an
+// axis without one it is `otherwise`.
+[[nodiscard]] Vec2 on_level_edges(const Vec2& place, const Vec2& otherwise, std::span<const Body> bodies,
+                                  double reach);
+
 // A place of a body at which it touches another one.
 struct Touch {
   Vec2 position;  // m

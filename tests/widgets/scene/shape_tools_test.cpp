@@ -72,12 +72,12 @@ TEST_F(ShapeToolsTest, AToolThatIsLaidDownInItsDragDrawsNothing) {
 
 TEST_F(ShapeToolsTest, ADragDrawsABoxFromCornerToCorner) {
   view_.set_tool(SceneTool::kBox, true);
-  drag(QPoint(302, 62), QPoint(253, 95));
-  EXPECT_TRUE(near(size(), {0.47, 0.35}));
-  EXPECT_TRUE(near(added().position, {2.0 - 0.235, 2.4 - 0.175}));
-  drag(QPoint(302, 62), QPoint(253, 95), Qt::ShiftModifier);
-  EXPECT_TRUE(near(size(), {0.47, 0.47}));
-  EXPECT_TRUE(near(added().position, {2.0 - 0.235, 2.4 - 0.235}));
+  drag(QPoint(302, 62), QPoint(250, 90));  // 10 px from the grid's lines
+  EXPECT_TRUE(near(size(), {0.5, 0.3}));
+  EXPECT_TRUE(near(added().position, {2.0 - 0.25, 2.4 - 0.15}));
+  drag(QPoint(302, 62), QPoint(250, 90), Qt::ShiftModifier);
+  EXPECT_TRUE(near(size(), {0.5, 0.5}));
+  EXPECT_TRUE(near(added().position, {2.0 - 0.25, 2.4 - 0.25}));
   drag(QPoint(302, 62), QPoint(253, 95), Qt::ControlModifier);
   EXPECT_TRUE(near(size(), {0.49, 0.33}));
   EXPECT_TRUE(near(added().position, {2.02 - 0.245, 2.38 - 0.165}));
@@ -85,6 +85,38 @@ TEST_F(ShapeToolsTest, ADragDrawsABoxFromCornerToCorner) {
   drag(b_, b_ + QPoint(20, 20));
   EXPECT_EQ(told_.size(), 4U);
   EXPECT_EQ(told_.back().name, "Add box C");
+}
+
+// 2 px are not seen: both corners keep to the grid, and to what is there.
+TEST_F(ShapeToolsTest, ABoxStandsOnTheSurfaceThatItIsDrawnTo) {
+  view_.set_tool(SceneTool::kBox, true);
+  drag(QPoint(302, 98), QPoint(339, 142));
+  EXPECT_TRUE(near(size(), {0.4, 0.4}));
+  EXPECT_TRUE(near(added().position, {2.2, 1.8}));
+  Body floor;
+  floor.name = "floor";
+  floor.shape = Wall{};
+  floor.position = Vec2(0.0, -0.535);
+  floor.fixed = true;
+  scene_.bodies.push_back(floor);
+  Body box = floor;
+  box.name = "box";
+  box.shape = Box{0.5, 0.75};
+  box.position = Vec2(4.0, -0.16);
+  scene_.bodies.push_back(box);
+  give_ids(scene_);
+  show(true);
+  const double surface = -0.535;
+  for (const int y : {350, 357}) {  // above the surface, and in it
+    drag(QPoint(280, 298), QPoint(320, y));
+    EXPECT_NEAR(added().position.y() - 0.5 * size().y(), surface, 1e-12) << y;
+    drag(QPoint(320, y), QPoint(280, 298));
+    EXPECT_NEAR(added().position.y() - 0.5 * size().y(), surface, 1e-12) << "from below, " << y;
+  }
+  drag(QPoint(420, 320), QPoint(472, 340));  // to the side of the box
+  EXPECT_NEAR(added().position.x() + 0.5 * size().x(), 3.75, 1e-12);
+  drag(QPoint(280, 298), QPoint(320, 350), Qt::ControlModifier);
+  EXPECT_NEAR(added().position.y() - 0.5 * size().y(), -0.5, 1e-12);
 }
 
 TEST_F(ShapeToolsTest, AClickDrawsALevelHalfPlane) {
