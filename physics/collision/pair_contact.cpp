@@ -64,23 +64,23 @@ Face face(const Vec2& low, const Vec2& high, const Vec2& normal) {
 
 // Finds the stretch that two faces share. If it is no longer than rounding, it is one point; without one,
 // `touch` keeps its point.
-void clip(const Face& a, const Face& b, double rounding_a, double rounding_b, double scale, double size,
-          int edge_a, int edge_b, Touch& touch) {
+void clip(const Face& a, const Face& b, ConvexShapes::Roundings rounding, double scale, double size, int edge_a,
+          int edge_b, Touch& touch) {
   const double low = std::max(a.low, b.low);
   const double high = std::min(a.high, b.high);
   const Vec2 along = tangent(touch.normal);
   if (!(high - low > kShort * scale)) {
     if (!(low - high <= kShort * scale)) return;
     const double x = 0.5 * (low + high);
-    touch.point = between(x * along + b.height(x) * touch.normal, rounding_b, touch.gap, touch.normal);
+    touch.point = between(x * along + b.height(x) * touch.normal, rounding.b, touch.gap, touch.normal);
     touch.points[0].point = touch.point;
     return;
   }
   touch.count = 0;
   for (const double x : {low, high}) {
     const double on_b = b.height(x);
-    const double gap = on_b - a.height(x) - (rounding_a + rounding_b);
-    const Vec2 point = between(x * along + on_b * touch.normal, rounding_b, gap, touch.normal);
+    const double gap = on_b - a.height(x) - rounding.sum();
+    const Vec2 point = between(x * along + on_b * touch.normal, rounding.b, gap, touch.normal);
     touch.points[touch.count++] = {point, gap, feature_id(x == low ? Ends::kLow : Ends::kHigh, edge_a, edge_b)};
   }
   touch.flat = std::abs(touch.points[1].gap - touch.points[0].gap) <= kFlat * size;
@@ -101,7 +101,7 @@ int after(int k, int count) { return k + 1 == count ? 0 : k + 1; }
 
 // Finds the stretch that an edge of one core shares with the edge of the other that faces it most; without
 // one, `touch` keeps its point.
-void clip_at(const PairFrame& frame, const ClosestFeatures& closest, double rounding_a, double rounding_b,
+void clip_at(const PairFrame& frame, const ClosestFeatures& closest, ConvexShapes::Roundings rounding,
              Touch& touch) {
   int edge_a = closest.vertex_a;
   int edge_b = closest.vertex_b;
@@ -119,8 +119,8 @@ void clip_at(const PairFrame& frame, const ClosestFeatures& closest, double roun
   }
   touch.points[0].id = feature_id(Ends::kOne, edge_a, edge_b);
   clip(face(frame.a[edge_a].vertex, frame.a[after(edge_a, frame.edges_a)].vertex, touch.normal),
-       face(frame.vertex[after(edge_b, frame.edges_b)], frame.vertex[edge_b], touch.normal), rounding_a,
-       rounding_b, frame.scale, frame.size, edge_a, edge_b, touch);
+       face(frame.vertex[after(edge_b, frame.edges_b)], frame.vertex[edge_b], touch.normal), rounding,
+       frame.scale, frame.size, edge_a, edge_b, touch);
 }
 
 // With `prefer_faces`, two faces that share a stretch touch there with the normal of one of them, even if
@@ -129,16 +129,16 @@ Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
                      const Pose& pose_b, bool prefer_faces) {
   const PairFrame frame(shapes, a, pose_a, b, pose_b);
   const ClosestFeatures closest = closest_features(frame, prefer_faces ? kTie : 0.0);
-  const double rounding_a = shapes.rounding[a];
-  const double rounding_b = shapes.rounding[b];
-  Touch touch{closest.normal, closest.separation - (rounding_a + rounding_b), Vec2::Zero(), false, 1, {}};
+  const ConvexShapes::Roundings rounding = shapes.roundings(a, b);
+  const bool sharp = shapes.rounding[a] + shapes.rounding[b] == 0.0;
+  Touch touch{closest.normal, closest.separation - rounding.sum(), Vec2::Zero(), false, 1, {}};
 
-  if (!prefer_faces && rounding_a + rounding_b == 0.0 && frame.edges_a >= 3 && frame.edges_b >= 3) {
+  if (!prefer_faces && sharp && frame.edges_a >= 3 && frame.edges_b >= 3) {
     if (const auto tips = overlapping_tips(frame)) {
       const Vec2& on_a = frame.a[tips->vertex_a].vertex;
       const Vec2& on_b = frame.vertex[static_cast<std::size_t>(tips->vertex_b)];
       touch.normal = tips->normal;
-      touch.gap = tips->normal.dot(on_b - on_a);
+      touch.gap = tips->normal.dot(on_b - on_a) - rounding.sum();
       touch.point = 0.5 * (on_a + on_b);
       touch.points[0] = {touch.point, touch.gap, feature_id(Ends::kVertices, tips->vertex_a, tips->vertex_b)};
       return touch;
@@ -148,7 +148,7 @@ Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
   // The point of b's core; opposite a's vertex if that is nearest to an edge of b.
   Vec2 on_b = frame.vertex[closest.vertex_b];
   if (closest.edge_b >= 0) on_b = frame.a[closest.vertex_a].vertex + closest.separation * closest.normal;
-  touch.point = between(on_b, rounding_b, touch.gap, touch.normal);
+  touch.point = between(on_b, rounding.b, touch.gap, touch.normal);
   touch.points[0] = {touch.point, touch.gap, feature_id(Ends::kVertices, closest.vertex_a, closest.vertex_b)};
   const bool corners = closest.edge_a < 0 && closest.edge_b < 0;
   const bool blunt = prefer_faces && closest.separation > 0.0 && closest.separation <= kBlunt * frame.size;
@@ -158,22 +158,22 @@ Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
     const ClosestFeatures edge = parting_edge(frame, kTie);
     Touch faces = touch;
     faces.normal = edge.normal;
-    clip_at(frame, edge, rounding_a, rounding_b, faces);
+    clip_at(frame, edge, rounding, faces);
     const bool share = faces.count == 2 && (prefer_faces || faces.flat);
     if (share && std::min(faces.points[0].gap, faces.points[1].gap) <= touch.gap + kTie * frame.size)
       return faces;
     if (blunt) {
-      if (faces.count == 1) faces.gap = faces.points[0].gap = edge.separation - (rounding_a + rounding_b);
+      if (faces.count == 1) faces.gap = faces.points[0].gap = edge.separation - rounding.sum();
       touch = faces;
     }
   }
-  if (!corners && !blunt) clip_at(frame, closest, rounding_a, rounding_b, touch);
+  if (!corners && !blunt) clip_at(frame, closest, rounding, touch);
   const double near = (prefer_faces ? kTipOfFaces : kTip) * frame.scale;
   const bool in_one_point =
       touch.count == 1 ||
       (!prefer_faces && (!touch.flat || (touch.points[1].point - touch.points[0].point).norm() <= near));
   if (!in_one_point) return touch;
-  if (rounding_a + rounding_b > 0.0 || std::abs(closest.separation) > near) return touch;
+  if (!sharp || std::abs(closest.separation - rounding.sum()) > near) return touch;
   const auto tips = tips_that_meet(shapes, a, b, frame, near);
   if (!tips) return touch;
   const auto normal = tip_normal(*tips, frame.relative.position);
@@ -231,8 +231,8 @@ Touch touch_of_half_plane(const ConvexShapes& shapes, ShapeIndex plane, const Po
   const Corner& edge = *shapes.corners_of(plane);
   const double floor = edge.normal.dot(edge.vertex);
   const double scale = d.lpNorm<Eigen::Infinity>() + shapes.core_radius[body];
-  clip({-infinite, infinite, floor, floor}, face(on_core(after(e, count)), on_core(e), n), 0.0, rounding, scale,
-       pair_size(shapes.core_radius[body], scale), 0, e, touch);
+  clip({-infinite, infinite, floor, floor}, face(on_core(after(e, count)), on_core(e), n), {0.0, rounding},
+       scale, pair_size(shapes.core_radius[body], scale), 0, e, touch);
   return touch;
 }
 
@@ -270,15 +270,15 @@ Contact disc_contact(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_
     return contact_of_discs(shapes, a, pose_a.position, b, pose_b.position);
   // The body with a core is the frame of reference. From the disc's centre the contact point is back along the
   // normal, in the middle of gap or penetration.
-  const double rounding = shapes.rounding[a] + shapes.rounding[b];
+  const ConvexShapes::Roundings rounding = shapes.roundings(a, b);
   if (shapes.core[b] == Core::kPoint) {
     const Gap to_b = gap_to_centre(shapes, a, pose_a, b, pose_b);
-    const double gap = to_b.gap - rounding;
-    return {gap, to_b.normal, between(pose_b.position, shapes.rounding[b], gap, to_b.normal)};
+    const double gap = to_b.gap - rounding.sum();
+    return {gap, to_b.normal, between(pose_b.position, rounding.b, gap, to_b.normal)};
   }
   const Gap to_a = gap_to_centre(shapes, b, pose_b, a, pose_a);
-  const double gap = to_a.gap - rounding;
-  return {gap, -to_a.normal, between(pose_a.position, shapes.rounding[a], gap, to_a.normal)};
+  const double gap = to_a.gap - rounding.sum();
+  return {gap, -to_a.normal, between(pose_a.position, rounding.a, gap, to_a.normal)};
 }
 
 bool has_disc(const ConvexShapes& shapes, ShapeIndex a, ShapeIndex b) {
@@ -334,9 +334,10 @@ Gap gap_between(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, Sh
   }
   const PairFrame frame(shapes, a, pose_a, b, pose_b);
   const ClosestFeatures closest = closest_features(frame);
-  const double gap = closest.separation - (shapes.rounding[a] + shapes.rounding[b]);
+  const double gap = closest.separation - shapes.roundings(a, b).sum();
+  const bool sharp = shapes.rounding[a] + shapes.rounding[b] == 0.0;
   // Corners may meet tip to tip.
-  if (std::abs(closest.separation) <= kTip * frame.scale)
+  if (sharp && std::abs(gap) <= kTip * frame.scale)
     return {gap, pose_a.turned(touch_of_cores(shapes, a, pose_a, b, pose_b, false).normal)};
   return {gap, pose_a.turned(closest.normal)};
 }

@@ -87,9 +87,9 @@ Contact contact_on_line(const Geometry& g, BodyIndex a, const Pose& pose_a, Body
                         const TipOnFace& touch) {
   const Placed at(g, a, pose_a, b, pose_b, touch);
   const Vec2 out = at.face_at.turned(touch.face.normal);
-  const double rounding = g.shapes.rounding[touch.parts.a] + g.shapes.rounding[touch.parts.b];
-  const double gap = out.dot(at.tip) - touch.face.normal.dot(touch.face.vertex) - rounding;
-  const double below = g.shapes.rounding[touch.is_of_b ? touch.parts.b : touch.parts.a] + 0.5 * gap;
+  const ConvexShapes::Roundings rounding = g.shapes.roundings(touch.parts.a, touch.parts.b);
+  const double gap = out.dot(at.tip) - touch.face.normal.dot(touch.face.vertex) - rounding.sum();
+  const double below = (touch.is_of_b ? rounding.b : rounding.a) + 0.5 * gap;
   return {gap, touch.is_of_b ? out : Vec2(-out), at.face_at.position + at.tip - below * out, touch.parts};
 }
 

@@ -5,22 +5,32 @@
 #include <limits>
 
 #include "physics/math/vectors.h"
+#include "physics/model/pair_size.h"
 
 namespace carom {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// How far shape i reaches along n from its body's origin, in m. For a half-plane n must be its normal.
+// How far the core of shape i reaches along n from its body's origin, in m. For a half-plane n must be its
+// normal.
 double reach(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& n) {
   const Vec2 own = pose.turned_back(n);
   const Corner* corner = shapes.corners_of(i);
   double most = own.dot(corner[0].vertex);
   for (int k = 1; k < shapes.corners[i]; ++k) most = std::max(most, own.dot(corner[k].vertex));
-  return most + shapes.rounding[i];
+  return most;
 }
 
 }  // namespace
+
+ConvexShapes::Roundings ConvexShapes::thin_roundings(ShapeIndex a, ShapeIndex b) const {
+  double least = kThin * (core_radius[a] + core_radius[b]);
+  if (core[a] == Core::kSegment && core[b] == Core::kSegment)
+    least = std::max(least, kThinWalls * pair_size(core_radius[a], core_radius[b]));
+  const double more = 0.5 * std::max(least - (rounding[a] + rounding[b]), 0.0);
+  return {rounding[a] + more, rounding[b] + more};
+}
 
 ConvexShape disc_shape(double radius) { return {Core::kPoint, {Vec2::Zero()}, radius, Vec2::Zero()}; }
 
@@ -69,7 +79,7 @@ ConvexShapes convex_shapes(const std::vector<ConvexShape>& shapes) {
     }
     if (shape.core == Core::kHalfPlane) radius = kInfinite;
     all.core_radius.push_back(radius);
-    all.radius.push_back(radius + shape.rounding);
+    all.radius.push_back(radius + all.most_rounding(ShapeIndex{static_cast<int>(all.core.size()) - 1}));
   }
   return all;
 }
@@ -87,19 +97,23 @@ Bounds bounds_of(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose) {
   }
   const Vec2 high(reach(shapes, i, pose, Vec2::UnitX()), reach(shapes, i, pose, Vec2::UnitY()));
   const Vec2 low(reach(shapes, i, pose, -Vec2::UnitX()), reach(shapes, i, pose, -Vec2::UnitY()));
-  return {pose.position - low, pose.position + high};
+  const Vec2 rounding = Vec2::Constant(shapes.rounding[i]);
+  return {pose.position - (low + rounding), pose.position + (high + rounding)};
 }
 
 double separation(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
                   const Pose& pose_b, const Vec2& n) {
-  return n.dot(pose_b.position - pose_a.position) - reach(shapes, a, pose_a, n) - reach(shapes, b, pose_b, -n);
+  const auto [rounding_a, rounding_b] = shapes.roundings(a, b);
+  return n.dot(pose_b.position - pose_a.position) - (reach(shapes, a, pose_a, n) + rounding_a) -
+         (reach(shapes, b, pose_b, -n) + rounding_b);
 }
 
 double apart_until(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, const Twist& twist_a,
                    ShapeIndex b, const Pose& pose_b, const Twist& twist_b, const Vec2& n, double curvature) {
   const Vec2 own_a = pose_a.turned_back(n);
   const Vec2 own_b = pose_b.turned_back(n);
-  const double apart = n.dot(pose_b.position - pose_a.position) - shapes.rounding[a] - shapes.rounding[b];
+  const auto [rounding_a, rounding_b] = shapes.roundings(a, b);
+  const double apart = n.dot(pose_b.position - pose_a.position) - rounding_a - rounding_b;
   const double approach = n.dot(twist_b.velocity - twist_a.velocity);
   double until = kInfinite;
   for (int j = 0; j < shapes.corners[b]; ++j) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -66,8 +67,33 @@ struct ConvexShapes {
   ArrayOf<ShapeIndex, Core> core;
   ArrayOf<ShapeIndex, double> rounding;  // m
   ArrayOf<ShapeIndex, double>
-      core_radius;                     // m, of the circle about the origin that contains the core; 0 for a disc
-  ArrayOf<ShapeIndex, double> radius;  // m, of the circle that contains the body; infinite for a half-plane
+      core_radius;  // m, of the circle about the origin that contains the core; 0 for a disc
+  // m, of the circle that contains the body and all that it touches without others; infinite for a half-plane
+  ArrayOf<ShapeIndex, double> radius;
+
+  // What has no inside would pass through another such: a particle through a thin wall by the rounding of its
+  // place, and a thin wall through another one also by the error of the forces that hold one of its ends while
+  // the other one lands. Together they reach these shares of the sum of their sizes and of pair_size().
+  static constexpr double kThin = 1e-9;
+  static constexpr double kThinWalls = 4e-5;
+  [[nodiscard]] bool has_inside(ShapeIndex i) const {
+    return core[i] != Core::kPoint && core[i] != Core::kSegment;
+  }
+  // Those with which two shapes meet each other, in m.
+  struct Roundings {
+    double a;
+    double b;
+    [[nodiscard]] double sum() const { return a + b; }
+  };
+  [[nodiscard]] Roundings roundings(ShapeIndex a, ShapeIndex b) const {
+    if (has_inside(a) || has_inside(b)) return {rounding[a], rounding[b]};
+    return thin_roundings(a, b);
+  }
+  [[nodiscard]] Roundings thin_roundings(ShapeIndex a, ShapeIndex b) const;
+  // With every other shape it touches nothing beyond this, in m.
+  [[nodiscard]] double most_rounding(ShapeIndex i) const {
+    return has_inside(i) ? rounding[i] : std::max(rounding[i], kThinWalls * core_radius[i]);
+  }
 
   std::vector<int> cone_of;  // of `cones`, by corner; -1: only its own part is there. Empty where that is all
   std::vector<CornerCone> cones;

@@ -49,7 +49,7 @@ void add_parts(const std::vector<std::vector<ConvexPart>>& parts, std::vector<Co
     if (!g.has_parts(i)) continue;
     g.core_reach[i] = g.reach[i] = 0.0;
     g.each_part(i, [&](ShapeIndex part) {
-      const double rounding = g.shapes.rounding[part];
+      const double rounding = g.shapes.most_rounding(part);
       for (int k = 0; k < g.shapes.corners[part]; ++k) {
         const double far = (g.place[part] + g.shapes.corners_of(part)[k].vertex).norm();
         g.core_reach[i] = std::max(g.core_reach[i], far);
@@ -94,6 +94,13 @@ Geometry geometry(const std::vector<Body>& bodies, const std::vector<Joint>& joi
     if (joint.kind == JointKind::kWeld) g.welded.join(a, b);
   }
   std::sort(g.pinned.begin(), g.pinned.end());
+  for (BodyIndex i{0}; i < static_cast<int>(n); ++i) {
+    double thin = 0.0;
+    g.each_part(i, [&](ShapeIndex part) {
+      thin = std::max(thin, g.shapes.most_rounding(part) - g.shapes.rounding[part]);
+    });
+    g.extent.col(i).array() += thin;
+  }
   find_corner_cones(bodies, g);
   return g;
 }

@@ -56,14 +56,15 @@ ContactFinder::Touch ContactFinder::look_at(const Step& step, const PairInStep& 
   touch.before = force_before(world, step.memory.forces, last, a, b, m, at);
   const double closing = -touch.velocity.normal;
   const double rest = touch.rest;
-  const double held = held_gap(world, a, b);
+  // A particle on a half-plane has no size.
+  const double held = std::max(rounding, held_gap(world, a, b));
   const bool kept = is_kept({a, b, at.id});
   const bool follows = step.pressing.follows_bounces();
   touch.pressed_before = touch.before && step.memory.support[*touch.before][0] > 0.0;
   // What has opened since, without any force, comes back as a landing.
-  if (follows && touch.pressed_before && at.gap > std::max(held, rounding))
+  if (follows && touch.pressed_before && at.gap > held)
     touch.pressed_before = step.memory.forces[*touch.before].normal_force > 0.0;
-  const bool open = at.gap > (follows && touch.pressed_before ? std::max(held, rounding) : rounding);
+  const bool open = at.gap > (follows && touch.pressed_before ? held : rounding);
   const bool outside = at.gap > -held;
   // Explicit Euler leaves a gap where what a body rests on turns away, and closes it within the next step.
   const bool euler_in_time = located && world.method.integrator == IntegratorId::kExplicitEuler &&
@@ -73,11 +74,12 @@ ContactFinder::Touch ContactFinder::look_at(const Step& step, const PairInStep& 
   // Other contacts may press it within the step as hard as any force.
   const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
   const double pressed = std::max(rest, by_forces);
-  const bool near = !located || !open ||
-                    (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= 2.0 * pressed);
+  const bool near =
+      !located || !open ||
+      (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= 2.0 * pressed);
   // What is about to land does so at its own moment, with all that lands then.
   const bool about_to_land = open && moves_few(world) && closing > rest;
-  const double flush = kFlush * pair_size(world.shapes(), a, b);
+  const double flush = std::max(rounding, kFlush * pair_size(world.shapes(), a, b));
   const bool comes_later = !touch.pressed_before && (at.gap > flush || about_to_land);
   const bool leaves = may_bounce(world, a, b, touch.pressed_before) && closing < -rest;
   // The event queue knows no pair that the error of the forces that held it has left inside, nor one that a hit

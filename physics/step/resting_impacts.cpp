@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/collision/time_of_impact.h"
+#include "physics/collision/tip_on_face.h"
 #include "physics/model/pair_size.h"
 #include "physics/step/apply_impact.h"
 #include "physics/step/coming_to_rest.h"
@@ -43,6 +44,16 @@ void add_touches(const World& world, const FoundContacts& found, std::vector<Hit
   }
 }
 
+// Where neither part has an inside, the corner that lands on a face: within the step other corners may pass
+// through, by the error of the forces that hold them, and then the parts' own contact is on the far side.
+std::optional<TipOnFace> thin_tip_at_start(const World& world, const Landing& landing) {
+  const auto& [a, b, id] = landing;
+  const Geometry& g = world.shapes();
+  const ShapePair parts = parts_at(g, a, b, id);
+  if (g.shapes.has_inside(parts.a) || g.shapes.has_inside(parts.b)) return std::nullopt;
+  return tip_on_face(g, a, pose_at_start(world, a), b, pose_at_start(world, b), id);
+}
+
 // Whether an impact between these surfaces does more than stop them.
 bool leaves_or_sticks(const SurfaceLaw& law) { return law.restitution > 0.0 || law.sticks; }
 
@@ -69,10 +80,12 @@ std::optional<LandingTime> RestingContacts::first_landing(World& world, double e
   for (const Landing& landing : found_.landings) {
     const auto& [a, b, id] = landing;
     const double gone = shapes.size[a] + shapes.size[b];
+    const std::optional<TipOnFace> thin = thin_tip_at_start(world, landing);
     const auto gap = [&, a = a, b = b, id = id](double t) {
-      const Manifold m = manifold_of(shapes, a, shapes.pose(a, world.trajectories.place(a, t)), b,
-                                     shapes.pose(b, world.trajectories.place(b, t)), id,
-                                     std::numeric_limits<double>::infinity());
+      const Pose pose_a = shapes.pose(a, world.trajectories.place(a, t));
+      const Pose pose_b = shapes.pose(b, world.trajectories.place(b, t));
+      if (thin) return contact_on_line(shapes, a, pose_a, b, pose_b, *thin).gap;
+      const Manifold m = manifold_of(shapes, a, pose_a, b, pose_b, id, std::numeric_limits<double>::infinity());
       const int k = point_with(m, id);
       return k >= 0 ? m.points[k].gap : gone;
     };

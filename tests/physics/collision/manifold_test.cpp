@@ -104,11 +104,12 @@ TEST(Manifold, RandomPairs) {
     // Another normal only where corners are nearest and a face parts the bodies too.
     const bool same = m.normal == gap.normal;
     if (!same) {
-      ASSERT_GT(gap.gap + s.rounding[kFirst] + s.rounding[kSecond], 0.0) << n;
+      ASSERT_GT(gap.gap + s.roundings(kFirst, kSecond).sum(), 0.0) << n;
     }
     double least = m.points[0].gap;
-    const Outline of_a = outline(shape[0], q[0]);
-    const Outline of_b = outline(shape[1], q[1]);
+    Outline of_a = outline(shape[0], q[0]);
+    Outline of_b = outline(shape[1], q[1]);
+    test::grow_thin(of_a, of_b);
     for (int k = 0; k < m.count; ++k) {
       const ManifoldPoint& p = m.points[k];
       least = std::min(least, p.gap);
