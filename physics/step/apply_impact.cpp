@@ -8,6 +8,7 @@
 #include "physics/ledger/step_limits.h"
 #include "physics/math/vectors.h"
 #include "physics/step/face_impact.h"
+#include "physics/step/jumps_of_moment.h"
 #include "physics/step/moved_together.h"
 
 namespace carom {
@@ -108,23 +109,13 @@ template <class Kind>
 ImpactEffect resolve_and_record(World& world, BodyIndex a, BodyIndex b, const Contact& contact,
                                 const SurfaceLaw& material, double within, Kind& of_pair,
                                 const std::optional<FaceImpact>& face) {
-  const Ledger& ledger = world.sums.ledger;
-  std::optional<Jump> jump;
-  if (world.log.wants_jump(world.model->bodies())) {
-    jump.emplace();
-    jump->before = world.state_at(within);
-    jump->change.add(-1.0, ledger);
-  }
+  JumpsOfMoment jumps(world, within);
   const double closing = std::max(0.0, of_pair.closing());
   const Impact impact = of_pair.resolve(world, a, b, contact, material, face);
   const ImpactEffect effect = Kind::joins(material) ? ImpactEffect::kJoined : ImpactEffect::kBounced;
   record_impact(world, a, b, contact, impact, closing, within);
   if (effect == ImpactEffect::kBounced) record_impulse(world, a, b, contact, impact);
-  if (!jump) return effect;
-  jump->time = std::min(world.trajectories.epoch() + within, world.clock.step_end);
-  jump->after = world.state_at(within);
-  jump->change.add(1.0, ledger);
-  world.log.jumps.push_back(std::move(*jump));
+  jumps.add(world);
   return effect;
 }
 

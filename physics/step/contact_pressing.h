@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "physics/step/world.h"
 
 namespace carom {
+
+// Times the speed that forces give in a step: what closes faster hits.
+inline constexpr double kGentlyClosed = 2.0;
 
 // What presses bodies together in a step: all forces at its start, and the contact forces of the last step or
 // part of one. It decides whether a contact that closes is a hit or comes to rest.
@@ -32,6 +36,10 @@ class ContactPressing {
   // again within a step, or within a small part of one where bounces are followed. noise() if nothing presses
   // it.
   [[nodiscard]] double rest_speed(const World& world, double press, double restitution) const;
+  // m/s: how fast forces may have made a contact close within a step, or more if more may rest.
+  [[nodiscard]] double pressed_speed(BodyIndex a, BodyIndex b, double rest) const {
+    return std::max(rest, step_length_ * std::max(acceleration(a), acceleration(b)));
+  }
   // Whether contacts begin, end and bounce at their own times within this step.
   [[nodiscard]] bool follows_bounces() const { return follows_bounces_; }
   // m/s: slower motions are rounding, or what the order of the method leaves.

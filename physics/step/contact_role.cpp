@@ -72,11 +72,10 @@ ContactFinder::Touch ContactFinder::look_at(const Step& step, const PairInStep& 
   const double follows_on = euler_in_time && touch.pressed_before && open ? at.gap / step.length : 0.0;
   touch.slow = kept || impact_speed(material, closing - follows_on) <= rest;
   // Other contacts may press it within the step as hard as any force.
-  const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
-  const double pressed = std::max(rest, by_forces);
+  const double pressed = step.pressing.pressed_speed(a, b, rest);
   const bool near =
       !located || !open ||
-      (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= 2.0 * pressed);
+      (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= kGentlyClosed * pressed);
   // What is about to land does so at its own moment, with all that lands then.
   const bool about_to_land = open && moves_few(world) && closing > rest;
   const double flush = std::max(rounding, kFlush * pair_size(world.shapes(), a, b));

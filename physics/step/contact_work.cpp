@@ -6,11 +6,15 @@
 #include "physics/contact/contact_velocity.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/vectors.h"
+#include "physics/step/apply_impact.h"
 #include "physics/step/contact_arms.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
 namespace {
+
+// Normals of contacts of one pair are the same within this.
+constexpr double kOneNormal = 1e-9;
 
 // m: where a body is while contact forces act on it for `passed` s, such that their moment is what they change
 // of its angular momentum about the origin. Where they lead to themselves is left out, as in arm_start().
@@ -40,6 +44,60 @@ struct Losses {
   double normal = 0.0;
   double tangential = 0.0;
   double rolling = 0.0;
+
+  [[nodiscard]] Losses positive() const {
+    return {std::max(0.0, normal), std::max(0.0, tangential), std::max(0.0, rolling)};
+  }
+  Losses& operator+=(const Losses& other) {
+    normal += other.normal;
+    tangential += other.tangential;
+    rolling += other.rolling;
+    return *this;
+  }
+};
+
+Losses losses_of(const Contacts& c, int i, const Eigen::Matrix3Xd& mean) {
+  const RowVelocity u = contact_velocity(c, i, mean);
+  return {-c.normal_impulse[i] * u.normal, -c.tangential_impulse[i] * u.tangential,
+          -c.rolling_impulse[i] * u.spin};
+}
+
+// The end of the contacts from i on that are of one pair and have one normal.
+int end_of_hit(const Contacts& c, int i) {
+  int end = i + 1;
+  while (end < c.size() && c.a[end] == c.a[i] && c.b[end] == c.b[i] &&
+         (c.normal[end] - c.normal[i]).norm() <= kOneNormal)
+    ++end;
+  return end;
+}
+
+// What stops a pair along one normal, at one contact or more.
+struct StoppedHit {
+  BodyIndex a;
+  BodyIndex b;
+  Contact contact;                // in the middle of the normal impulses
+  std::optional<double> closing;  // m/s, the fastest, if it is an impact
+  Impact impact;
+
+  // That of these contacts.
+  StoppedHit(const FoundContacts& found, int from, int end, const std::vector<std::optional<double>>& closings,
+             const Eigen::Matrix3Xd& mean)
+      : a(found.contacts.a[from]), b(found.contacts.b[from]) {
+    const Contacts& c = found.contacts;
+    contact = {c.gap[from], c.normal[from], Vec2::Zero()};
+    for (int i = from; i < end; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (c.normal_impulse[i] == 0.0) continue;
+      if (closings[k]) closing = std::max(closing.value_or(*closings[k]), *closings[k]);
+      const Losses lost = losses_of(c, i, mean).positive();
+      impact.normal += c.normal_impulse[i];
+      impact.tangential += c.tangential_impulse[i];
+      impact.lost_to_restitution += lost.normal;
+      impact.lost_to_friction += lost.tangential;
+      contact.point += c.normal_impulse[i] * found.point[k];
+    }
+    contact.point /= impact.normal;
+  }
 };
 
 // `place(body)`: where the side that moves is on the mean, in m; with the arm from there, impulses change its
@@ -93,24 +151,42 @@ void record_support(World& world, const FoundContacts& found, const GaussContact
   ledger.lost_to_rolling += std::max(0.0, lost.rolling);
 }
 
-void record_stops(World& world, const Contacts& c, const Eigen::Matrix3Xd& mean) {
+void record_stops(World& world, const FoundContacts& found, const std::vector<std::optional<double>>& closing,
+                  const Eigen::Matrix3Xd& mean, JumpsOfMoment& jumps) {
+  const Contacts& c = found.contacts;
   Losses lost;
+  Losses positive;
   for (int i = 0; i < c.size(); ++i) {
     if (c.normal_impulse[i] == 0.0) continue;
-    const RowVelocity u = contact_velocity(c, i, mean);
-    lost.normal -= c.normal_impulse[i] * u.normal;
-    lost.tangential -= c.tangential_impulse[i] * u.tangential;
-    lost.rolling -= c.rolling_impulse[i] * u.spin;
+    const Losses of = losses_of(c, i, mean);
+    lost += of;
+    positive += of.positive();
     record_impulses(world, c, i, 1.0, mean, [&](BodyIndex body) { return Vec2(world.state.position(body)); });
   }
   // Where normals and tangents are coupled, energy passes from one to the other; only the sum is lost.
   const double all = std::max(0.0, lost.normal + lost.tangential + lost.rolling);
   const double rubbed = std::clamp(lost.tangential, 0.0, all);
   const double rolled = std::clamp(lost.rolling, 0.0, all - rubbed);
+  Losses left{all - rubbed - rolled, rubbed, rolled};
+  const Losses share{positive.normal > 0.0 ? left.normal / positive.normal : 0.0,
+                     positive.tangential > 0.0 ? rubbed / positive.tangential : 0.0, 0.0};
+  for (int i = 0; i < c.size();) {
+    const int end = end_of_hit(c, i);
+    const StoppedHit hit(found, i, end, closing, mean);
+    i = end;
+    if (!hit.closing) continue;
+    Impact impact = hit.impact;
+    impact.lost_to_restitution *= share.normal;
+    impact.lost_to_friction *= share.tangential;
+    left.normal -= impact.lost_to_restitution;
+    left.tangential -= impact.lost_to_friction;
+    record_impact(world, hit.a, hit.b, hit.contact, impact, *hit.closing, 0.0);
+    jumps.add(world);
+  }
   Ledger& ledger = world.sums.ledger;
-  ledger.lost_to_friction += rubbed;
-  ledger.lost_to_rolling += rolled;
-  ledger.lost_to_restitution += all - rubbed - rolled;
+  ledger.lost_to_restitution += left.normal;
+  ledger.lost_to_friction += left.tangential;
+  ledger.lost_to_rolling += left.rolling;
 }
 
 }  // namespace carom

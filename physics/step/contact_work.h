@@ -1,11 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <vector>
 
 #include "physics/contact/contacts.h"
 #include "physics/step/contact_finder.h"
 #include "physics/step/contact_turning.h"
 #include "physics/step/gauss_contacts.h"
+#include "physics/step/jumps_of_moment.h"
 #include "physics/step/world.h"
 
 namespace carom {
@@ -20,7 +23,9 @@ namespace carom {
 // `linear` forces are left out.
 void record_support(World& world, const FoundContacts& found, const GaussContacts& linear, double share,
                     const Eigen::Matrix3Xd& mean, double passed, const GuessedFlight& flight);
-// Impulses that stop approaches at once, as impacts without rebound do.
-void record_stops(World& world, const Contacts& contacts, const Eigen::Matrix3Xd& mean);
+// Impulses that stop approaches at once, as impacts without rebound do. `closing` in m/s, by contact: of those
+// which are impacts. Those of a pair along one normal are one entry of the log.
+void record_stops(World& world, const FoundContacts& found, const std::vector<std::optional<double>>& closing,
+                  const Eigen::Matrix3Xd& mean, JumpsOfMoment& jumps);
 
 }  // namespace carom

@@ -206,9 +206,7 @@ bool ImpactCluster::apply(World& world) {
 bool ImpactCluster::resolve(World& world, double within, ClusterRestitution restitution) {
   static_cast<void>(find_bodies());
   fill(world);
-  const Ledger ledger_before = world.sums.ledger;
-  State before;
-  if (world.log.wants_jump(world.model->bodies())) before = world.state_at(within);
+  JumpsOfMoment jumps(world, within);
   const double now = world.trajectories.epoch() + within;
   const NoticeBodies first{touches_.front().a, touches_.front().b};
   // Each round but the last makes one string slack.
@@ -232,7 +230,7 @@ bool ImpactCluster::resolve(World& world, double within, ClusterRestitution rest
             world.trajectories.recheck_switches(world.trajectories.island_of(i));
     }
   }
-  record(world, within, std::move(before), ledger_before);
+  record(world, within, jumps);
   return true;
 }
 
@@ -276,28 +274,14 @@ void ImpactCluster::share_losses() {
   if (first != impacts_.end()) first->lost_to_restitution += left;
 }
 
-// One jump for each entry of the log: the first one has all of the motion.
-void ImpactCluster::record(World& world, double within, State before, const Ledger& ledger_before) {
-  const auto wants_jump = [&] { return world.log.wants_jump(world.model->bodies()); };
+void ImpactCluster::record(World& world, double within, JumpsOfMoment& jumps) {
   share_losses();
-  Jump jump;
-  jump.time = std::min(world.trajectories.epoch() + within, world.clock.step_end);
-  if (wants_jump()) {
-    jump.before = std::move(before);
-    jump.after = world.state_at(within);
-  }
-  Ledger recorded = ledger_before;
   for (std::size_t k = 0; k < touches_.size(); ++k) {
     const auto& [a, b, contact, rests] = touches_[k];
     if (!(impacts_[k].normal > 0.0)) continue;
     record_impact(world, a, b, contact, impacts_[k], closing_[k], within);
     record_impulse(world, a, b, contact, impacts_[k]);
-    if (!wants_jump()) continue;
-    jump.change = world.sums.ledger;
-    jump.change.add(-1.0, recorded);
-    recorded = world.sums.ledger;
-    world.log.jumps.push_back(jump);
-    jump.before = jump.after;
+    jumps.add(world);
   }
 }
 

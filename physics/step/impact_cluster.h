@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "physics/impact/simultaneous_impact.h"
+#include "physics/step/jumps_of_moment.h"
 #include "physics/step/neighbours.h"
 #include "physics/step/world.h"
 
@@ -131,7 +132,7 @@ class ImpactCluster {
   [[nodiscard]] ClusterOutcome solve(World& world, ClusterRestitution restitution);
   [[nodiscard]] bool apply(World& world);
   void share_losses();
-  void record(World& world, double within, State before, const Ledger& ledger_before);
+  void record(World& world, double within, JumpsOfMoment& jumps);
 
   std::vector<Touch> touches_;
   bool has_dropped_ = false;     // doubles

@@ -108,6 +108,7 @@ class RestingContacts {
   void strike(World& world, double h);
   void join_what_rests(World& world);
   bool stop_approaches(World& world, double h);
+  void find_impacts(const World& world);
   void let_leave(const World& world);
   double find_forces(World& world, double h, double least);
   double find_best_forces(World& world, double h, double least);
@@ -149,9 +150,10 @@ class RestingContacts {
   Eigen::Matrix3Xd before_, after_, free_;  // velocities, m/s and rad/s
   Eigen::Matrix3Xd moved_;                  // m, rad; or per s
   std::vector<std::uint8_t> sticks_;
-  std::vector<int> breaking_;      // contacts
-  Contacts solved_;                // of the round before
-  Eigen::Matrix3Xd solved_after_;  // likewise
+  std::vector<std::optional<double>> impacts_;  // m/s, by contact: how fast it closed, if it is an impact
+  std::vector<int> breaking_;                   // contacts
+  Contacts solved_;                             // of the round before
+  Eigen::Matrix3Xd solved_after_;               // likewise
   HitsInOrder in_order_;
   GaussContacts linear_;
   std::vector<TouchNearEnd> near_ends_;

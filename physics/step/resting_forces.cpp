@@ -20,6 +20,8 @@ namespace {
 constexpr double kGentle = 0.1;
 // Likewise where bodies have been hit.
 constexpr double kGentleHit = 1e-3;
+// Of the hardest hit that is stopped: impulses by which contacts pass it on.
+constexpr double kPassedOn = 1e-3;
 // Times the tolerance of the velocities: contacts that slip.
 constexpr double kSlips = 4.0;
 // Guesses of the contact forces in a step, until the flight under them has end velocities that are off by at
@@ -157,6 +159,29 @@ void RestingContacts::list_breaking(double still) {
   }
 }
 
+// Which contacts are stopped by an impact without rebound, as they closed faster than forces have just made
+// them, and which pass it on. Where impacts are not located in time, a landing takes more than one step.
+void RestingContacts::find_impacts(const World& world) {
+  const Contacts& c = found_.contacts;
+  impacts_.assign(static_cast<std::size_t>(c.size()), std::nullopt);
+  if (world.method.impacts != ImpactsId::kLocated) return;
+  const auto closing = [&](int i) { return -contact_velocity(c, i, before_).normal; };
+  double hardest = 0.0;  // N s
+  for (int i = 0; i < c.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double rest = found_.rest[k];
+    const bool lands = finder_.is_kept({c.a[i], c.b[i], found_.id[k]});
+    const double gentle = lands ? rest : kGentlyClosed * pressing_.pressed_speed(c.a[i], c.b[i], rest);
+    if (!(closing(i) > gentle) || !(c.normal_impulse[i] > 0.0)) continue;
+    impacts_[k] = closing(i);
+    hardest = std::max(hardest, c.normal_impulse[i]);
+  }
+  if (hardest == 0.0) return;
+  for (int i = 0; i < c.size(); ++i) {
+    if (c.normal_impulse[i] >= kPassedOn * hardest) impacts_[static_cast<std::size_t>(i)] = closing(i);
+  }
+}
+
 // Contacts that close, or would within the step, lose their closing speed now. Whether any did.
 bool RestingContacts::stop_approaches(World& world, double h) {
   Contacts& c = found_.contacts;
@@ -178,18 +203,20 @@ bool RestingContacts::stop_approaches(World& world, double h) {
       const auto solve_from = [&](const Eigen::Matrix3Xd& from) { return solve(world, from, options); };
       bodies_.clear();
       list_moved(world, c, bodies_);
+      JumpsOfMoment jumps(world, 0.0);
       const ContactSolverReport report =
           world.trajectories.is_jointed(bodies_)
               ? stop_with_joints(world, bodies_, before_, options.tolerance, solve_from, free_, after_)
               : solve_from(before_);
       report_residual(world, report, pressing_.change_by_forces(), options.tolerance);
-      moved_ = 0.5 * (before_ + after_);
-      record_stops(world, c, moved_);
       for (BodyIndex i{0}; i < world.bodies(); ++i) {
         if (world.infinite_mass(i) || after_.col(i) == before_.col(i)) continue;
         world.trajectories.set_velocity(i, after_.col(i).head<2>(), after_.col(i)[2]);
         world.state.v.col(i) = after_.col(i);
       }
+      moved_ = 0.5 * (before_ + after_);
+      find_impacts(world);
+      record_stops(world, found_, impacts_, moved_, jumps);
       before_ = after_;
       stopped = true;
     }
