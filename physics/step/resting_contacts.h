@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/contact/contact_solver.h"
+#include "physics/math/anderson_mixing.h"
 #include "physics/step/contact_finder.h"
 #include "physics/step/contact_force.h"
 #include "physics/step/contact_pressing.h"
@@ -154,6 +155,8 @@ class RestingContacts {
   std::vector<int> breaking_;                   // contacts
   Contacts solved_;                             // of the round before
   Eigen::Matrix3Xd solved_after_;               // likewise
+  AndersonMixing mixing_;                       // of what joints and forces change in the contacts' flight
+  Eigen::VectorXd off_;                         // m/s and rad/s: its residual, by body
   HitsInOrder in_order_;
   GaussContacts linear_;
   std::vector<TouchNearEnd> near_ends_;

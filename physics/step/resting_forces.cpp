@@ -46,7 +46,7 @@ constexpr int kMostBreaks = 3;
 constexpr double kUnsolved = 0.01;
 constexpr double kWorse = 16.0;
 // Corrections of the contact forces where the integrator's flight is not linear in them; joints take as many.
-constexpr int kMostRounds = 60;
+constexpr int kMostRounds = AndersonMixing::kMixed + 60;
 // Of the full moment of rolling resistance: a difference from it.
 constexpr double kFullMoment = 1e-9;
 // Of the change of a speed by forces in a step: a smaller residual is not worth a notice.
@@ -413,17 +413,24 @@ ContactSolverReport RestingContacts::solve_flight(World& world, double h, const 
     c.rolling_impulse[i] = impulse[2];
   }
   ContactSolverReport report;
+  const auto unknowns = 3 * static_cast<Eigen::Index>(memory_.pushed.size());
+  off_.resize(unknowns);
+  mixing_.start(unknowns);
   for (int round = 0; round < kMostRounds; ++round) {
     report = solve(world, free_, options);
     for (const BodyIndex i : memory_.pushed)
       world.trajectories.set_contact_acceleration(i, (after_.col(i) - free_.col(i)) / h);
     if (world.trajectories.is_parabolic()) break;
     double off = 0.0;
-    for (const BodyIndex i : memory_.pushed) {
+    for (std::size_t k = 0; k < memory_.pushed.size(); ++k) {
+      const BodyIndex i = memory_.pushed[k];
       const Eigen::Vector3d by = world.trajectories.at(i, h).segment<3>(3) - after_.col(i);
       off = std::max(off, by.head<2>().norm());
-      free_.col(i) += by;
+      off_.segment<3>(3 * static_cast<Eigen::Index>(k)) = by;
     }
+    const Eigen::VectorXd& change = mixing_.change(off_);
+    for (std::size_t k = 0; k < memory_.pushed.size(); ++k)
+      free_.col(memory_.pushed[k]) += change.segment<3>(3 * static_cast<Eigen::Index>(k));
     if (off <= options.tolerance) break;
     report.residual = std::max(report.residual, off);
     if (round == kMostRounds - 1) ++report.missed_islands;
