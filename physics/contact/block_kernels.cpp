@@ -1,7 +1,6 @@
 #include "physics/contact/block_kernels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 // GCC takes vectors filled lane by lane for uninitialised.

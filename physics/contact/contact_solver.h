@@ -11,7 +11,6 @@
 #include "physics/contact/contacts.h"
 #include "physics/contact/islands.h"
 #include "physics/contact/semismooth_newton.h"
-#include "physics/dynamics/state.h"
 #include "physics/model/mass.h"
 
 namespace carom {

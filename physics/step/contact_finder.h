@@ -36,7 +36,8 @@ void set_place(Contacts& c, int i, const BodyPair& pair, const Vec2& normal, con
 // they would bounce on for ever: they may where few bodies move, unless they were pressed in the last step.
 [[nodiscard]] bool may_bounce(const World& world, BodyIndex a, BodyIndex b, bool pressed);
 
-// A contact point that closes too fast to rest, of a pair that is supported at other points.
+// A contact point that closes too fast to rest, of a pair that is supported at other points. So is told also
+// one that leaves and may come back, and one that is kept.
 struct Landing {
   BodyIndex a;
   BodyIndex b;
@@ -166,11 +167,12 @@ class ContactFinder {
   std::vector<std::tuple<BodyIndex, BodyIndex, ShapeIndex, ShapeIndex>> supported_parts_;  // in rising order
   std::vector<BodyPair> supported_;
   std::vector<Landing> kept_;
-  std::vector<std::uint8_t> presses_;   // by body; empty: all impacts are located
-  double part_ = 0.0;                   // s, of the step
-  std::vector<BodyPair> kept_apart_;    // by contacts, until the part ends; in rising order
-  std::vector<BodyPair> hit_;           // see is_hit()
-  std::vector<double> supported_rest_;  // m/s, parallel to it: the least rest speed of the pair's points
+  std::vector<std::uint8_t> presses_;  // by body; empty: all impacts are located
+  double part_ = 0.0;                  // s, of the step
+  std::vector<BodyPair> kept_apart_;   // by contacts, until the part ends; in rising order
+  std::vector<BodyPair> hit_;          // see is_hit()
+  std::vector<double>
+      supported_rest_;  // m/s, parallel to supported_: the least rest speed of the pair's points
   std::vector<Pose> poses_;
   std::vector<double> reach_;         // m: how far each body may move within a whole step
   std::vector<double> pushed_reach_;  // scratch

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cstddef>
 #include <vector>
 
 #include "physics/step/contact_force.h"

@@ -1,6 +1,5 @@
 #include "physics/step/island_spin.h"
 
-#include <algorithm>
 #include <span>
 #include <vector>
 

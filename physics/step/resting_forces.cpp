@@ -305,7 +305,7 @@ double RestingContacts::find_forces(World& world, double h, double least) {
   return holds;
 }
 
-// Likewise.
+// Likewise: at first by rough guesses, where linear forces are likely to replace them.
 double RestingContacts::find_best_forces(World& world, double h, double least) {
   at_start_ = found_.contacts;
   support_before_ = found_.guess;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <vector>
 
 #include "physics/contact/contact_solver.h"
 #include "physics/step/world.h"
