@@ -47,9 +47,9 @@ class AndersonMixing {
 
  private:
   static constexpr Eigen::Index kMost = 12;
-  // Times the residual before.
+  // Times the residual before: a larger one follows another law, and what is known is forgotten.
   static constexpr double kAstray = 2.0;
-  // Times the residual: no x is so far.
+  // Times the residual: a longer change is not trusted.
   static constexpr double kFarthest = 1e3;
   // Of a change of the residual: what is left of it beside the known ones is rounding.
   static constexpr double kSame = 1e-8;

@@ -66,20 +66,21 @@ struct ConvexShapes {
   ArrayOf<ShapeIndex, int> corners;
   ArrayOf<ShapeIndex, Core> core;
   ArrayOf<ShapeIndex, double> rounding;  // m
-  ArrayOf<ShapeIndex, double>
-      core_radius;  // m, of the circle about the origin that contains the core; 0 for a disc
-  // m, of the circle that contains the body and all that it touches without others; infinite for a half-plane
+  // m, of the circle about the origin that contains the core; 0 for a disc.
+  ArrayOf<ShapeIndex, double> core_radius;
+  // m, of the circle that contains the body with its largest rounding; infinite for a half-plane.
   ArrayOf<ShapeIndex, double> radius;
 
   // What has no inside would pass through another such: a particle through a thin wall by the rounding of its
-  // place, and a thin wall through another one also by the error of the forces that hold one of its ends while
-  // the other one lands. Together they reach these shares of the sum of their sizes and of pair_size().
+  // place, a thin wall through another one also by the error of the forces that hold one of its ends while
+  // the other one lands. So their roundings add up to these shares of the
+  // sum of their core radii, and of pair_size() of those.
   static constexpr double kThin = 1e-9;
   static constexpr double kThinWalls = 4e-5;
   [[nodiscard]] bool has_inside(ShapeIndex i) const {
     return core[i] != Core::kPoint && core[i] != Core::kSegment;
   }
-  // Those with which two shapes meet each other, in m.
+  // With which two shapes touch each other, in m.
   struct Roundings {
     double a;
     double b;
@@ -90,7 +91,7 @@ struct ConvexShapes {
     return thin_roundings(a, b);
   }
   [[nodiscard]] Roundings thin_roundings(ShapeIndex a, ShapeIndex b) const;
-  // With every other shape it touches nothing beyond this, in m.
+  // The largest one with which it touches any other shape, in m.
   [[nodiscard]] double most_rounding(ShapeIndex i) const {
     return has_inside(i) ? rounding[i] : std::max(rounding[i], kThinWalls * core_radius[i]);
   }

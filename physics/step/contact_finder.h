@@ -36,8 +36,8 @@ void set_place(Contacts& c, int i, const BodyPair& pair, const Vec2& normal, con
 // they would bounce on for ever: they may where few bodies move, unless they were pressed in the last step.
 [[nodiscard]] bool may_bounce(const World& world, BodyIndex a, BodyIndex b, bool pressed);
 
-// A contact point that closes too fast to rest, of a pair that is supported at other points. So is told also
-// one that leaves and may come back, and one that is kept.
+// A contact point that closes too fast to rest, of a pair that is supported at other points. Also used for one
+// that leaves and may come back, and for one that is kept.
 struct Landing {
   BodyIndex a;
   BodyIndex b;
@@ -171,8 +171,8 @@ class ContactFinder {
   double part_ = 0.0;                  // s, of the step
   std::vector<BodyPair> kept_apart_;   // by contacts, until the part ends; in rising order
   std::vector<BodyPair> hit_;          // see is_hit()
-  std::vector<double>
-      supported_rest_;  // m/s, parallel to supported_: the least rest speed of the pair's points
+  // m/s, parallel to supported_: the least rest speed of the pair's points.
+  std::vector<double> supported_rest_;
   std::vector<Pose> poses_;
   std::vector<double> reach_;         // m: how far each body may move within a whole step
   std::vector<double> pushed_reach_;  // scratch

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-// Times the speed that forces give in a step: what closes faster hits.
+// Times pressed_speed(): a contact that closes faster is hit.
 inline constexpr double kGentlyClosed = 2.0;
 
 // What presses bodies together in a step: all forces at its start, and the contact forces of the last step or
@@ -35,7 +35,7 @@ class ContactPressing {
   // again within a step, or within a small part of one where bounces are followed. noise() if nothing presses
   // it.
   [[nodiscard]] double rest_speed(const World& world, double press, double restitution) const;
-  // m/s: how fast forces may have made a contact close within a step, or more if more may rest.
+  // m/s: how fast forces can make a contact close within a step; at least its rest speed.
   [[nodiscard]] double pressed_speed(BodyIndex a, BodyIndex b, double rest) const {
     return std::max(rest, step_length_ * std::max(acceleration(a), acceleration(b)));
   }

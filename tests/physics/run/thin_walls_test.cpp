@@ -7,7 +7,7 @@
 #include "tests/support/scenes.h"
 
 // What has no inside, particles and thin rods, on a thin wall. It moves as over a half-plane, which has one,
-// that lies higher by what lets them reach each other.
+// raised by the distance at which the thin ones touch.
 namespace carom {
 namespace {
 
